@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace gyrocal::cli {
+
+/// What the chosen subcommand will do, run after the whole command line has been parsed. Returns
+/// the exit code (see outcome.h).
+using Chosen = std::function<int()>;
+
+/// Adds one subcommand to `root`; its callback puts what is to be done into `chosen`. Examples
+/// stand first in the subcommand's description.
+using AddCommand = void (*)(CLI::App& root, Chosen& chosen);
+
+/// Every subcommand of `gyrocal`, in the order `--help` shows them.
+void add_all_commands(CLI::App& root, Chosen& chosen);
+
+void add_version(CLI::App& root, Chosen& chosen);
+
+}  // namespace gyrocal::cli

@@ -1,0 +1,12 @@
+#include "daemon/cli/command.h"
+
+namespace gyrocal::cli {
+
+void add_all_commands(CLI::App& root, Chosen& chosen) {
+  constexpr AddCommand all[] = {
+      add_version,
+  };
+  for (const AddCommand add : all) add(root, chosen);
+}
+
+}  // namespace gyrocal::cli
