@@ -1,0 +1,192 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compensation/values/error.h"
+#include "compensation/values/records.h"
+#include "compensation/values/units.h"
+
+namespace gyrocal {
+
+/// All t_ns are campaign time: nanoseconds since the campaign's start; campaign.utc_start_ns stands
+/// beside them.
+
+struct CampaignRow {
+  std::string name;
+  std::string config_toml;  ///< the file as read
+  std::string software_version;
+  std::int64_t utc_start_ns = 0;
+  bool simulated = false;
+  double time_scale = 1.0;
+  int samples_per_setpoint = 0;
+  int sample_rate_hz = 0;
+  std::string state;  ///< name of the state machine's state, kept current by set_campaign_state
+};
+
+struct BoardRow {
+  std::string name;
+  std::string device;
+  std::string mcu_id;
+  std::string firmware_version;
+  std::string hardware_version;
+  std::array<double, 3> lsb_per_dps{};
+  std::array<double, 3> lsb_per_dps_per_k{};
+};
+
+struct SetpointRow {
+  int ordinal = 0;  ///< 0-based, order of visit
+  Celsius setpoint{0};
+};
+
+/// One board at one setpoint, one attempt.
+struct DwellRow {
+  BoardId board{};
+  int ordinal = 0;  ///< of the setpoint
+  int attempt = 1;  ///< 1-based
+  std::int64_t t_start_ns = 0;
+  std::int64_t t_end_ns = 0;
+  double soak_s = 0;
+  bool timed_soak = false;  ///< the sensor was too coarse for the asked slope
+  double chamber_mean_c = missing;
+  double chamber_peak_to_peak_k = missing;
+  double board_mean_c = missing;
+  std::int64_t frames_missing = 0;
+  std::optional<std::string> reject_reason;  ///< absent: accepted
+};
+
+struct DwellWithSamples {
+  DwellRow dwell;
+  std::span<const BoardSample> samples;  ///< raw counts, one row each
+};
+
+struct MonitorInsert {
+  BoardId board{};
+  std::int64_t t_ns = 0;  ///< centre of the interval
+  double setpoint_c = missing;
+  double chamber_c = missing;
+  double board_c = missing;
+  std::array<double, 3> gyro_mean_lsb{missing, missing, missing};
+  std::int64_t frames = 0;
+  std::int64_t frames_missing = 0;
+};
+
+struct EventInsert {
+  std::int64_t t_ns = 0;
+  std::int64_t utc_ns = 0;
+  std::string severity;  ///< "info" "warning" "error"
+  std::string kind;      ///< "transition" "chamber_lost" ... one word a kind
+  std::string text;      ///< a sentence
+};
+
+/// What the filter made of one accepted dwell and axis.
+struct DwellDriftInsert {
+  DwellId dwell{};
+  Axis axis = Axis::z;
+  double raw_mean_dps = 0;
+  double raw_sd_dps = 0;
+  double filtered_mean_dps = 0;
+  double filtered_sd_dps = 0;
+  double standard_error_dps = missing;  ///< from the dwell's own autocorrelated noise
+};
+
+struct ModelPoint {
+  double temperature_c = 0;
+  double measured_dps = 0;
+  double fitted_dps = 0;
+};
+
+struct ModelInsert {
+  BoardId board{};
+  Axis axis = Axis::z;
+  std::string method;
+  std::string parameters_json;  ///< all that is needed to evaluate the model
+  double rmse_dps = 0;          ///< divided by n
+  double rmse_n_minus_1_dps = 0;
+  double mae_dps = 0;
+  double max_dps = 0;
+  double loocv_rmse_dps = missing;
+  bool recommended = false;
+  std::string reason;         ///< why recommended, or empty
+  std::string settings_json;  ///< wavelet, level, mode, rule
+  std::string dwells_sha256;  ///< over the raw samples of the dwells used
+  std::string software_version;
+  std::vector<DwellId> dwells;  ///< those used
+  std::vector<ModelPoint> points;
+};
+
+/// An accepted dwell as the analysis needs it.
+struct AcceptedDwell {
+  DwellId id{};
+  int ordinal = 0;
+  Celsius setpoint{0};
+  double chamber_mean_c = missing;
+  double board_mean_c = missing;
+};
+
+/// A campaign that has not ended, as --resume needs it.
+struct OpenCampaign {
+  CampaignId id{};
+  CampaignRow campaign;
+  std::int64_t t_last_ns = 0;  ///< the latest time stored
+  std::vector<std::pair<BoardId, BoardRow>> boards;
+  std::vector<DwellRow> dwells;  ///< all, rejected ones included, in order
+};
+
+/// The typed way into the database (DESIGN section 8). One writer; every function that writes is
+/// one transaction and has stored all of it, on disk, when it returns without error, or nothing.
+/// Errors: storage (the message names file and reason), busy (somebody else writes), mismatch (a
+/// newer schema, another application), bad_input (a row the tables refuse).
+class Store {
+ public:
+  /// Opens or creates and migrates to the present schema. Takes the writer's lock; a second writer
+  /// gets busy, with the holder's process id.
+  [[nodiscard]] static Result<Store> open(const std::string& path);
+  /// Opens what exists, for reading only.
+  [[nodiscard]] static Result<Store> open_read_only(const std::string& path);
+
+  Store(Store&&) noexcept;
+  Store& operator=(Store&&) noexcept;
+  ~Store();
+
+  // The campaign writes.
+  [[nodiscard]] Result<CampaignId> begin_campaign(const CampaignRow& campaign,
+                                                  std::span<const SetpointRow> setpoints);
+  [[nodiscard]] Result<BoardId> add_board(CampaignId campaign, const BoardRow& board);
+  [[nodiscard]] Result<void> set_campaign_state(CampaignId campaign, const std::string& state);
+  [[nodiscard]] Result<void> add_monitor(CampaignId campaign, std::span<const MonitorInsert> rows);
+  [[nodiscard]] Result<void> add_event(CampaignId campaign, const EventInsert& event);
+  /// One group: the dwells of all boards at one setpoint, with their samples.
+  [[nodiscard]] Result<std::vector<DwellId>> add_group(CampaignId campaign,
+                                                       std::span<const DwellWithSamples> dwells);
+  [[nodiscard]] Result<void> add_analysis(CampaignId campaign,
+                                          std::span<const DwellDriftInsert> drifts,
+                                          std::span<const ModelInsert> models);
+
+  // What is read back.
+  [[nodiscard]] Result<std::optional<OpenCampaign>> open_campaign() const;  ///< the latest, unended
+  [[nodiscard]] Result<std::optional<CampaignId>> latest_campaign() const;
+  [[nodiscard]] Result<CampaignRow> campaign(CampaignId campaign) const;
+  [[nodiscard]] Result<std::vector<std::pair<BoardId, BoardRow>>> boards(CampaignId campaign) const;
+  [[nodiscard]] Result<std::vector<AcceptedDwell>> accepted_dwells(CampaignId campaign,
+                                                                   BoardId board) const;
+  /// Raw samples of a dwell, in order of seq.
+  [[nodiscard]] Result<std::vector<BoardSample>> samples(DwellId dwell) const;
+  [[nodiscard]] Result<std::vector<ModelInsert>> models(CampaignId campaign, BoardId board,
+                                                        Axis axis) const;
+  /// One axis of one board as the diagnosis reads it.
+  [[nodiscard]] Result<Session> session(CampaignId campaign, BoardId board, Axis axis) const;
+
+ private:
+  struct Impl;
+  explicit Store(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gyrocal
