@@ -1,0 +1,92 @@
+# make demo    a whole campaign on simulated devices, through the real drivers, to a stored model
+# make test    every test
+# make bench   timings beside their peers        make judge   diagnose against hidden effects
+# make soak    the long forms: fuzzing, sanitizers, seeds       make install [PREFIX= DESTDIR=]
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.ONESHELL:
+.DEFAULT_GOAL := help
+
+PACKAGES := g++ cmake ninja-build pkg-config sqlite3 catch2 libserialport-dev libmodbus-dev \
+  libeigen3-dev libspdlog-dev libfmt-dev libsqlite3-dev libtomlplusplus-dev libcli11-dev \
+  nlohmann-json3-dev libexpected-dev libcpp-httplib-dev libsystemd-dev libzstd-dev
+
+PREFIX ?= /usr/local
+JOBS ?= $(shell nproc)
+BUILD := build/release
+DEMO := build/demo
+CAMPAIGN := config/campaigns/demo.toml
+
+.PHONY: help packages build demo test bench judge soak install
+
+help:
+	@grep -E '^# make' Makefile | cut -c3-
+
+# Installs what is missing and only that.
+packages:
+	@if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+	  echo "make: gyrocal builds on Debian 12. Elsewhere, install what these Debian packages hold" >&2
+	  echo "and run 'cmake --preset release && cmake --build --preset release':" >&2
+	  echo "  $(PACKAGES)" >&2
+	  exit 1
+	fi
+	missing=()
+	for package in $(PACKAGES); do
+	  state=$$(dpkg-query -W -f='$${db:Status-Status}' "$$package" 2>/dev/null || true)
+	  [ "$$state" = installed ] || missing+=("$$package")
+	done
+	[ $${#missing[@]} -gt 0 ] || exit 0
+	as_root=
+	if [ "$$(id -u)" != 0 ]; then
+	  command -v sudo >/dev/null || { echo "make: as root, run: apt-get install $${missing[*]}" >&2; exit 1; }
+	  as_root=sudo
+	fi
+	echo "installing $${missing[*]}"
+	$$as_root apt-get update -qq
+	$$as_root env DEBIAN_FRONTEND=noninteractive \
+	  apt-get install -y -qq --no-install-recommends "$${missing[@]}" >/dev/null
+
+build: packages
+	@mkdir -p build
+	cmake --preset release >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 1; }
+	cmake --build --preset release -j $(JOBS)
+
+demo: build
+	@rm -rf $(DEMO); mkdir -p $(DEMO)
+	$(BUILD)/gyrocal rig serve --campaign $(CAMPAIGN) >$(DEMO)/rig.log 2>&1 &
+	rig=$$!
+	trap 'kill $$rig 2>/dev/null || true; wait $$rig 2>/dev/null || true' EXIT
+	for attempt in $$(seq 100); do
+	  grep -q ready $(DEMO)/rig.log && break
+	  kill -0 $$rig 2>/dev/null || { cat $(DEMO)/rig.log >&2; exit 1; }
+	  sleep 0.1
+	done
+	cat $(DEMO)/rig.log
+	$(BUILD)/gyrocal run $(CAMPAIGN) --db $(DEMO)/demo.db
+	echo
+	echo "Three queries to try:"
+	sed -n '/^```sql demo/,/^```$$/p' docs/queries.md | grep -v '^```' | while read -r query; do
+	  echo "  sqlite3 -box $(DEMO)/demo.db \"$$query\""
+	done
+
+test: build
+	@ctest --preset release -j $(JOBS)
+
+bench: build
+	@$(BUILD)/tests/bench/gyrocal_bench
+
+judge: build
+	@rm -rf build/judge; mkdir -p build/judge
+	$(BUILD)/tests/hidden_effects/gyrocal_hidden_sessions --out build/judge --set full --seed 1
+	$(BUILD)/tests/hidden_effects/gyrocal_judge --gyrocal $(BUILD)/gyrocal --sessions build/judge --jobs $(JOBS)
+
+# The whole suite under the address, undefined-behaviour and thread sanitizers, then the long loops.
+soak: build
+	@for preset in dev tsan; do
+	  cmake --preset $$preset >build/configure-$$preset.log
+	  cmake --build --preset $$preset -j $(JOBS)
+	  ctest --preset $$preset -j $(JOBS)
+	done
+
+install: build
+	@cmake --install $(BUILD) --prefix "$(PREFIX)"
