@@ -13,7 +13,9 @@
 
 namespace gyrocal {
 
-enum class Sweep { up, up_down, shuffled };
+/// How the setpoints are visited: ascending; then down again without repeating the top; in an order
+/// drawn from a seed; or as the file lists them, which allows revisits and reversals.
+enum class Sweep { up, up_down, shuffled, as_listed };
 
 /// Where the chamber is reached.
 struct TcpAddress {
@@ -109,14 +111,14 @@ struct CampaignConfig {
 [[nodiscard]] Result<CampaignConfig> parse_campaign(const std::string& text,
                                                     const std::string& path);
 
-/// Reads config/chambers/NAME.toml or a path to such a file.
-[[nodiscard]] Result<ChamberProfile> read_chamber_profile(const std::string& path);
-
 /// Plan and limits met: plan ∩ boards ∩ chamber; what the setpoint is clamped to.
 struct SetpointRange {
   Celsius min;
   Celsius max;
 };
 [[nodiscard]] SetpointRange allowed_setpoints(const CampaignConfig& campaign);
+
+/// The sample rates the iNEMO firmware knows [Hz].
+inline constexpr std::array<int, 7> known_sample_rates_hz{1, 10, 25, 30, 50, 100, 400};
 
 }  // namespace gyrocal

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "compensation/values/error.h"
 #include "compensation/values/units.h"
 
 namespace gyrocal {
@@ -46,5 +47,14 @@ struct ChamberProfile {
   double settle_after_write_s = 0.2;  ///< quiet time the controller needs after a write
   Kelvin read_back_tolerance{0.05};
 };
+
+/// Reads a profile, config/chambers/NAME.toml.
+/// @return storage, bad_input, unknown_name, out_of_range, not_finite; `what` names file, line,
+/// key.
+[[nodiscard]] Result<ChamberProfile> read_chamber_profile(const std::string& path);
+
+/// Same, from text; `path` only names it in messages.
+[[nodiscard]] Result<ChamberProfile> parse_chamber_profile(const std::string& text,
+                                                           const std::string& path);
 
 }  // namespace gyrocal

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace gyrocal {
+
+/// The known name a person most likely meant: the one with the fewest edits (insert, delete,
+/// replace, swap of neighbours), if at most a third of the longer name has to change.
+/// @return empty if nothing is near. O(known * length^2); for messages.
+[[nodiscard]] std::string nearest_name(std::string_view asked,
+                                       std::span<const std::string_view> known);
+
+}  // namespace gyrocal

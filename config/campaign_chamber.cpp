@@ -1,0 +1,95 @@
+#include <arpa/inet.h>
+#include <fmt/core.h>
+
+#include <array>
+#include <filesystem>
+#include <string_view>
+
+#include "config/campaign_sections.h"
+#include "config/places.h"
+
+namespace gyrocal {
+namespace {
+
+using namespace std::string_view_literals;
+namespace fs = std::filesystem;
+
+bool is_numeric_address(const std::string& host) {
+  std::array<unsigned char, sizeof(in6_addr)> address{};
+  return inet_pton(AF_INET, host.c_str(), address.data()) == 1 ||
+         inet_pton(AF_INET6, host.c_str(), address.data()) == 1;
+}
+
+TcpAddress read_tcp(TomlSection& table) {
+  TcpAddress address;
+  address.host = table.text("host", "");
+  if (!is_numeric_address(address.host)) {
+    table.expected("host", Errc::bad_input,
+                   "a numeric address, 192.0.2.5: no name server is asked");
+  }
+  address.port = static_cast<int>(table.integer("port", address.port, {1, 65535}));
+  return address;
+}
+
+RtuAddress read_rtu(TomlSection& table) {
+  RtuAddress address;
+  address.device = table.required_text("device", "the serial port's stable link");
+  address.baud = static_cast<int>(table.integer("baud", address.baud, {300, 1000000, "baud"}));
+  constexpr std::array parities{"none"sv, "even"sv, "odd"sv};
+  address.parity = "NEO"[table.choice("parity", 0, parities)];
+  address.stop_bits = static_cast<int>(table.integer("stop_bits", address.stop_bits, {1, 2}));
+  return address;
+}
+
+/// The file a profile's name stands for: beside the campaign first, so that a site can keep its
+/// own.
+std::optional<std::string> find_profile(const std::string& profile, const fs::path& folder) {
+  if (profile.find('/') != std::string::npos || profile.ends_with(".toml")) {
+    return (folder / profile).lexically_normal().string();
+  }
+  for (const fs::path& place :
+       {folder, fs::path(places::site_chambers), fs::path(places::installed_chambers),
+        fs::path(places::source_chambers)}) {
+    const fs::path file = place / (profile + ".toml");
+    std::error_code ignored;  // an unreadable folder holds no profile for us
+    if (fs::is_regular_file(file, ignored)) return file.lexically_normal().string();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> read_chamber(TomlSection& table, const std::string& path,
+                                  ChamberConfig& into) {
+  const bool tcp = table.has("host");
+  const bool rtu = table.has("device");
+  if (tcp == rtu) {
+    table.expected(tcp ? "device" : "host", Errc::bad_input,
+                   tcp ? "host (Modbus TCP) or device (Modbus RTU), not both"
+                       : "host (Modbus TCP) or device (Modbus RTU)");
+  }
+  if (rtu) into.address = read_rtu(table);
+  if (tcp) into.address = read_tcp(table);
+  into.reply_timeout_s = table.number("reply_timeout_s", into.reply_timeout_s, {0.05, 60, "s"});
+  into.poll_interval_s = table.number("poll_interval_s", into.poll_interval_s, {0.1, 600, "s"});
+  const int unit = static_cast<int>(table.integer("unit", -1, {0, 247}));
+
+  const auto profile = table.required_text("profile", "a chamber profile, \"yinhe\"");
+  const fs::path folder = fs::path(path).parent_path();
+  const auto file = find_profile(profile, folder);
+  if (profile.empty()) return std::nullopt;
+  if (!file) {
+    table.expected("profile", Errc::unknown_name,
+                   fmt::format("the name of a profile in {}, {}, {} or {}",
+                               folder.empty() ? "." : folder.string(), places::site_chambers,
+                               places::installed_chambers, places::source_chambers));
+    return std::nullopt;
+  }
+  auto read = read_chamber_profile(*file);
+  if (!read) return read.error();
+  into.profile = std::move(*read);
+  into.unit = unit >= 0 ? unit : into.profile.unit_default;
+  return std::nullopt;
+}
+
+}  // namespace gyrocal
