@@ -1,0 +1,138 @@
+#include "daemon/campaign/conditions.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "daemon/campaign/overloaded.h"
+
+namespace gyrocal::campaign {
+namespace {
+
+constexpr Kelvin restored_band{2};  ///< this close to the safe temperature a cabinet may be opened
+constexpr double dwell_time_factor = 2;  ///< of the time its samples take at the nominal rate
+
+bool within(Celsius air, Celsius target, Kelvin band) {
+  return std::abs((air - target).value) <= band.value;
+}
+
+}  // namespace
+
+Conditions::Conditions(const Plan& plan, Duration unknown_after)
+    : plan_(plan),
+      unknown_after_(unknown_after),
+      air_stability_(plan.stability, unknown_after),
+      boards_(plan.boards.size(), BoardState{BoardStability(plan.stability, unknown_after)}) {}
+
+void Conditions::entered(const State& state, Duration t) {
+  since_ = t;
+  air_then_ = air_;
+  const Visit* visit = visit_of(state);
+  if (!visit || target_ == plan_.setpoints[visit->point]) return;
+  target_ = plan_.setpoints[visit->point];
+  air_stability_.start(*target_);
+  for (auto& board : boards_) board.stability.start();
+}
+
+void Conditions::air(Duration t, Celsius reading) {
+  air_ = reading;
+  if (!air_then_) air_then_ = reading;
+  if (target_) air_stability_.observe(t, reading);
+}
+
+void Conditions::board_temperature(std::size_t board, Duration t, Celsius reading) {
+  boards_.at(board).stability.observe(t, reading);
+}
+
+void Conditions::presence(std::size_t board, Presence presence) {
+  boards_.at(board).presence = presence;
+}
+
+void Conditions::sensor_frozen(std::size_t board, bool frozen) {
+  boards_.at(board).frozen = frozen;
+}
+
+std::optional<Event> Conditions::due(const State& state, Duration t) const {
+  return std::visit(Overloaded{[&](const Ramping& s) { return while_ramping(s.visit, t); },
+                               [&](const Soaking&) { return while_soaking(t); },
+                               [&](const Logging& s) { return while_logging(s.visit, t); },
+                               [&](const Returning&) { return while_returning(t); },
+                               [](const auto&) -> std::optional<Event> { return std::nullopt; }},
+                    state);
+}
+
+Soak Conditions::soak(std::size_t board) const {
+  return {air_stability_.in_band(), timed(boards_.at(board))};
+}
+
+bool Conditions::timed(const BoardState& board) const {
+  return board.frozen || !can_resolve_slope(board_sensor_step, plan_.stability.board_slope_k_per_h,
+                                            plan_.stability.board_window_s);
+}
+
+bool Conditions::boards_settled(Duration t) const {
+  return std::all_of(boards_.begin(), boards_.end(), [&](const BoardState& board) {
+    return board.presence != Presence::expected || timed(board) ||
+           board.stability.verdict(t) == Verdict::stable;
+  });
+}
+
+std::optional<std::string> Conditions::missing_board() const {
+  for (std::size_t i = 0; i < boards_.size(); ++i) {
+    if (boards_[i].presence == Presence::away) return plan_.boards[i];
+  }
+  return std::nullopt;
+}
+
+Duration Conditions::ramp_bound(Celsius target) const {
+  const Duration expected = ramp_duration(plan_, air_then_.value_or(target), target);
+  return seconds(to_seconds(expected) * plan_.limits.ramp_timeout_factor +
+                 plan_.limits.ramp_timeout_extra_s);
+}
+
+std::optional<Event> Conditions::while_ramping(const Visit& visit, Duration t) const {
+  const Celsius target = plan_.setpoints[visit.point];
+  if (air_ && within(*air_, target, plan_.stability.air_band)) return AtSetpoint{};
+  if (!air_ || t - since_ <= ramp_bound(target))
+    return std::nullopt;  // no reading: stale, elsewhere
+  return Fault{
+      fmt::format("the air is at {:.1f} degC and has not reached {:.1f} degC in {:.0f} min",
+                  air_->value, target.value, to_seconds(t - since_) / 60)};
+}
+
+std::optional<Event> Conditions::while_soaking(Duration t) const {
+  const bool air_settled = air_stability_.verdict(t) == Verdict::stable &&
+                           air_stability_.in_band() >= seconds(plan_.stability.soak_s_min);
+  if (air_settled && boards_settled(t)) {
+    if (const auto board = missing_board()) return DeviceAway{"board " + *board + " is away"};
+    return Settled{};
+  }
+  if (t - since_ <= seconds(plan_.stability.soak_s_max)) return std::nullopt;
+  return Unsettled{fmt::format("not stable after {:.0f} min of soaking ({})",
+                               to_seconds(t - since_) / 60,
+                               air_settled ? "a board still drifts" : "the air does not settle")};
+}
+
+std::optional<Event> Conditions::while_logging(const Visit& visit, Duration t) const {
+  const Celsius target = plan_.setpoints[visit.point];
+  if (air_ && !within(*air_, target, plan_.limits.dwell_band)) {
+    return DwellDisturbed{fmt::format("the air left its band: {:.2f} degC at setpoint {:.1f} degC",
+                                      air_->value, target.value)};
+  }
+  const double nominal_s = double(plan_.samples_per_dwell) / plan_.sample_rate_hz;
+  const double bound_s = nominal_s * dwell_time_factor + plan_.limits.board_stale_s;
+  if (t - since_ <= seconds(bound_s)) return std::nullopt;
+  return DwellDisturbed{fmt::format("the samples did not come in {:.0f} s", bound_s)};
+}
+
+std::optional<Event> Conditions::while_returning(Duration t) const {
+  if (air_ && within(*air_, plan_.safe, restored_band)) return Restored{};
+  if (!air_ || t - since_ <= ramp_bound(plan_.safe)) return std::nullopt;
+  return NotRestored{
+      fmt::format("the air is at {:.1f} degC, not at the safe {:.1f} degC, {:.0f} "
+                  "min after it was sent there; open the chamber with care",
+                  air_->value, plan_.safe.value, to_seconds(t - since_) / 60)};
+}
+
+}  // namespace gyrocal::campaign

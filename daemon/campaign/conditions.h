@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/campaign/campaign.h"
+#include "daemon/campaign/stability.h"
+
+namespace gyrocal::campaign {
+
+/// expected: it streams. away: it is waited for. given_up: the campaign goes on without it, and
+/// takes it back when it returns.
+enum class Presence { expected, away, given_up };
+
+/// How a dwell's soak ended.
+struct Soak {
+  Duration in_band{};
+  bool timed = false;  ///< the board's sensor could not show the asked slope
+};
+
+/// What the campaign waits for, judged from readings alone: tells the state machine when a ramp has
+/// arrived, a soak has settled, a dwell was disturbed, or a wait has lasted too long. Pure: times
+/// come with the readings.
+class Conditions {
+ public:
+  /// @param unknown_after  readings older than this prove nothing.
+  Conditions(const Plan& plan, Duration unknown_after);
+
+  /// The state machine went into `state`; the wait of that state begins.
+  void entered(const State& state, Duration t);
+  void air(Duration t, Celsius reading);
+  void board_temperature(std::size_t board, Duration t, Celsius reading);
+  void presence(std::size_t board, Presence presence);
+  /// A sensor whose register has stopped (STLM75 read too fast) shows no slope: its soak is timed.
+  void sensor_frozen(std::size_t board, bool frozen);
+
+  /// What has become true of `state` by t; the first of it, if anything.
+  [[nodiscard]] std::optional<Event> due(const State& state, Duration t) const;
+  [[nodiscard]] Soak soak(std::size_t board) const;
+  [[nodiscard]] std::optional<Celsius> latest_air() const { return air_; }
+
+ private:
+  struct BoardState {
+    BoardStability stability;
+    Presence presence = Presence::expected;
+    bool frozen = false;
+  };
+
+  [[nodiscard]] bool timed(const BoardState& board) const;
+  [[nodiscard]] bool boards_settled(Duration t) const;
+  [[nodiscard]] std::optional<std::string> missing_board() const;
+  [[nodiscard]] std::optional<Event> while_ramping(const Visit& visit, Duration t) const;
+  [[nodiscard]] std::optional<Event> while_soaking(Duration t) const;
+  [[nodiscard]] std::optional<Event> while_logging(const Visit& visit, Duration t) const;
+  [[nodiscard]] std::optional<Event> while_returning(Duration t) const;
+  [[nodiscard]] Duration ramp_bound(Celsius target) const;
+
+  Plan plan_;
+  Duration unknown_after_;
+  AirStability air_stability_;
+  std::vector<BoardState> boards_;
+  std::optional<Celsius> air_;
+  std::optional<Celsius> target_;
+  Duration since_{};                 ///< when the present state was entered
+  std::optional<Celsius> air_then_;  ///< and how warm the air was
+};
+
+}  // namespace gyrocal::campaign
