@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+
+namespace gyrocal {
+
+/// The three inner loops of the transform. Every instruction set adds in the same order with the
+/// same fused multiply-adds (one rounding), so all give the same result to the last bit.
+struct Kernels {
+  /// even(k) = signal(2k), odd(k) = signal(2k+1) for k < pairs.
+  void (*split)(const double* signal, std::size_t pairs, double* even, double* odd);
+
+  /// low(o) = sum over t < half_taps of lo(2t) even(o+t) + lo(2t+1) odd(o+t) for o < count; high
+  /// likewise with hi. even and odd hold count + half_taps - 1 values.
+  void (*analyse)(const double* even, const double* odd, std::size_t count, const double* lo,
+                  const double* hi, std::size_t half_taps, double* low, double* high);
+
+  /// signal(2q) = sum over t < half_taps of lo(2t+1) low(q+t) + hi(2t+1) high(q+t), signal(2q+1)
+  /// the same with lo(2t) and hi(2t), for q < pairs. low and high hold pairs + half_taps - 1
+  /// values. A null `high` stands for zeros.
+  void (*synthesise)(const double* low, const double* high, std::size_t pairs, const double* lo,
+                     const double* hi, std::size_t half_taps, double* signal);
+};
+
+/// `portable` runs everywhere; without a fused multiply-add in hardware (x86 before 2013) it is
+/// slow, not wrong. The others are x86-64 only.
+enum class InstructionSet { portable, avx2, avx512 };
+
+/// @return the loops compiled for that instruction set; null if this machine lacks it.
+[[nodiscard]] const Kernels* kernels_for(InstructionSet set);
+
+/// The loops for the widest instruction set of this machine, chosen at the first call.
+[[nodiscard]] const Kernels& kernels();
+
+}  // namespace gyrocal
