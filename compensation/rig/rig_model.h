@@ -49,10 +49,10 @@ struct Baseline {
 /// One effect of the catalogue with the numbers of its law's parameters (compensation/rig/effects).
 struct EffectUse {
   std::string effect;  ///< a name of DESIGN section 10
-  std::string law;
-  std::vector<std::pair<std::string, double>> parameters;  ///< those left out have their default
-  std::array<bool, 3> axes{true, true, true};              ///< which gyro axes feel it
-  std::vector<std::uint32_t> boards;                       ///< board indices; empty: all
+  std::string law{};
+  std::vector<std::pair<std::string, double>> parameters{};  ///< those left out have their default
+  std::array<bool, 3> axes{true, true, true};                ///< which gyro axes feel it
+  std::vector<std::uint32_t> boards{};                       ///< board indices; empty: all
   bool operator==(const EffectUse&) const = default;
 };
 
