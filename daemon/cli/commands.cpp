@@ -4,6 +4,8 @@ namespace gyrocal::cli {
 
 void add_all_commands(CLI::App& root, Chosen& chosen) {
   constexpr AddCommand all[] = {
+      add_fit,
+      add_paper,
       add_version,
   };
   for (const AddCommand add : all) add(root, chosen);

@@ -1,0 +1,226 @@
+#include "compensation/drift/smoothing_spline.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compensation/values/assert.h"
+
+namespace gyrocal {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr Index points_min = 4;
+
+/// Symmetric matrix of bandwidth 2 as its diagonals: below1(i) couples i and i + 1.
+struct Pentadiagonal {
+  VectorXd diagonal, below1, below2;
+};
+
+/// What does not change with lambda: with Q the second differences and R the Gram matrix of the
+/// hat functions, the second derivatives solve (R + lambda Q' W^-1 Q) second = Q' y.
+struct Problem {
+  VectorXd step;             // n - 1
+  VectorXd inverse_weights;  // n
+  VectorXd y;
+  VectorXd differences;  // Q' y, n - 2
+  Eigen::MatrixXd q;     // (n - 2) x 3: the entries of column i of Q at rows i, i + 1, i + 2
+  Pentadiagonal gram, roughness;
+};
+
+Problem problem(const Eigen::Ref<const VectorXd>& x, const Eigen::Ref<const VectorXd>& y,
+                const VectorXd& weights) {
+  const Index n = x.size();
+  const Index m = n - 2;
+  Problem p;
+  p.step = x.tail(n - 1) - x.head(n - 1);
+  p.inverse_weights =
+      weights.size() == 0 ? VectorXd::Ones(n).eval() : weights.cwiseInverse().eval();
+  p.y = y;
+  p.q.resize(m, 3);
+  p.differences.resize(m);
+  p.gram = {VectorXd(m), VectorXd::Zero(m), VectorXd::Zero(m)};
+  p.roughness = {VectorXd(m), VectorXd::Zero(m), VectorXd::Zero(m)};
+  for (Index i = 0; i < m; ++i) {
+    const double left = 1 / p.step(i);
+    const double right = 1 / p.step(i + 1);
+    p.q.row(i) << left, -left - right, right;
+    p.differences(i) = p.q.row(i) * y.segment(i, 3);
+    p.gram.diagonal(i) = (p.step(i) + p.step(i + 1)) / 3;
+    if (i + 1 < m) p.gram.below1(i) = p.step(i + 1) / 6;
+  }
+  const auto& v = p.inverse_weights;
+  for (Index i = 0; i < m; ++i) {
+    p.roughness.diagonal(i) = p.q.row(i).cwiseAbs2() * v.segment(i, 3);
+    if (i + 1 < m) {
+      p.roughness.below1(i) =
+          p.q(i, 1) * v(i + 1) * p.q(i + 1, 0) + p.q(i, 2) * v(i + 2) * p.q(i + 1, 1);
+    }
+    if (i + 2 < m) p.roughness.below2(i) = p.q(i, 2) * v(i + 2) * p.q(i + 2, 0);
+  }
+  return p;
+}
+
+/// L D L' in place: the diagonal becomes D, the bands those of the unit lower L.
+void factorise(Pentadiagonal& a) {
+  const Index m = a.diagonal.size();
+  for (Index i = 0; i < m; ++i) {
+    if (i >= 1) a.diagonal(i) -= a.below1(i - 1) * a.below1(i - 1) * a.diagonal(i - 1);
+    if (i >= 2) a.diagonal(i) -= a.below2(i - 2) * a.below2(i - 2) * a.diagonal(i - 2);
+    if (i + 1 < m) {
+      if (i >= 1) a.below1(i) -= a.below1(i - 1) * a.below2(i - 1) * a.diagonal(i - 1);
+      a.below1(i) /= a.diagonal(i);
+    }
+    if (i + 2 < m) a.below2(i) /= a.diagonal(i);
+  }
+}
+
+VectorXd solved(const Pentadiagonal& ldl, VectorXd right) {
+  const Index m = right.size();
+  for (Index i = 0; i < m; ++i) {
+    if (i >= 1) right(i) -= ldl.below1(i - 1) * right(i - 1);
+    if (i >= 2) right(i) -= ldl.below2(i - 2) * right(i - 2);
+  }
+  right.array() /= ldl.diagonal.array();
+  for (Index i = m; i-- > 0;) {
+    if (i + 1 < m) right(i) -= ldl.below1(i) * right(i + 1);
+    if (i + 2 < m) right(i) -= ldl.below2(i) * right(i + 2);
+  }
+  return right;
+}
+
+/// The five central diagonals of the inverse, from the last row up.
+Pentadiagonal central_inverse(const Pentadiagonal& ldl) {
+  const Index m = ldl.diagonal.size();
+  Pentadiagonal b{VectorXd::Zero(m), VectorXd::Zero(m), VectorXd::Zero(m)};
+  for (Index i = m; i-- > 0;) {
+    const double u = i + 1 < m ? ldl.below1(i) : 0;
+    const double v = i + 2 < m ? ldl.below2(i) : 0;
+    const double d1 = i + 1 < m ? b.diagonal(i + 1) : 0;
+    const double d2 = i + 2 < m ? b.diagonal(i + 2) : 0;
+    const double e1 = i + 2 < m ? b.below1(i + 1) : 0;
+    if (i + 1 < m) b.below1(i) = -u * d1 - v * e1;
+    if (i + 2 < m) b.below2(i) = -u * e1 - v * d2;
+    b.diagonal(i) = 1 / ldl.diagonal(i) - u * b.below1(i) - v * b.below2(i);
+  }
+  return b;
+}
+
+/// tr(A) of the smoother y -> values, from n - tr(A) = lambda tr(B Q' W^-1 Q), where B is the
+/// inverse of the system.
+double smoother_trace(const Problem& p, const Pentadiagonal& ldl, double lambda) {
+  const Pentadiagonal b = central_inverse(ldl);
+  const double removed = b.diagonal.dot(p.roughness.diagonal) +
+                         2 * b.below1.dot(p.roughness.below1) +
+                         2 * b.below2.dot(p.roughness.below2);
+  return static_cast<double>(p.y.size()) - lambda * removed;
+}
+
+Spline smoothed(const Problem& p, double lambda) {
+  Pentadiagonal system{p.gram.diagonal + lambda * p.roughness.diagonal,
+                       p.gram.below1 + lambda * p.roughness.below1,
+                       p.gram.below2 + lambda * p.roughness.below2};
+  factorise(system);
+  const VectorXd inner = solved(system, p.differences);
+  Spline spline;
+  spline.lambda = lambda;
+  spline.values = p.y;
+  for (Index i = 0; i < inner.size(); ++i) {
+    for (Index j = 0; j < 3; ++j) {
+      spline.values(i + j) -= lambda * p.inverse_weights(i + j) * p.q(i, j) * inner(i);
+    }
+  }
+  spline.second = VectorXd::Zero(p.y.size());
+  spline.second.segment(1, inner.size()) = inner;
+  spline.trace = smoother_trace(p, system, lambda);
+  return spline;
+}
+
+/// With the trace weighed 1.4 (Kim and Gu 2004): on tens of points the plain score likes to
+/// interpolate.
+double generalized_cross_validation(const Problem& p, double log_lambda) {
+  const Spline spline = smoothed(p, std::exp(log_lambda));
+  const double squares = ((spline.values - p.y).array().square() / p.inverse_weights.array()).sum();
+  const double left = 1 - 1.4 * spline.trace / static_cast<double>(p.y.size());
+  if (left <= 0) return std::numeric_limits<double>::infinity();
+  return squares / (left * left);
+}
+
+/// From a spline of nearly n parameters to a straight line, in the data's own scale.
+double chosen_lambda(const Problem& p) {
+  const double natural =
+      std::log(p.gram.diagonal.sum() / p.roughness.diagonal.sum());  // both parts weigh the same
+  constexpr double reach = 18;                                       // e^18 either way
+  constexpr int cells = 36;
+  const auto score = [&](double offset) {
+    return generalized_cross_validation(p, natural + offset);
+  };
+  double best = -reach;
+  double best_score = score(best);
+  const double cell = 2 * reach / cells;
+  for (int i = 1; i <= cells; ++i) {
+    const double here = -reach + i * cell;
+    if (const double found = score(here); found < best_score) {
+      best = here;
+      best_score = found;
+    }
+  }
+  constexpr double golden = 0.6180339887498949;
+  double low = best - cell;
+  double high = best + cell;
+  for (int i = 0; i < 30; ++i) {
+    const double a = high - golden * (high - low);
+    const double b = low + golden * (high - low);
+    if (score(a) <= score(b)) {
+      high = b;
+    } else {
+      low = a;
+    }
+  }
+  return std::exp(natural + 0.5 * (low + high));
+}
+
+}  // namespace
+
+Result<Spline> fit_smoothing_spline(const Eigen::Ref<const VectorXd>& x,
+                                    const Eigen::Ref<const VectorXd>& y, const VectorXd& weights,
+                                    std::optional<double> lambda) {
+  GYROCAL_ASSERT(x.size() == y.size() && (weights.size() == 0 || weights.size() == x.size()));
+  if (x.size() < points_min) {
+    return fail(
+        Errc::too_few_points,
+        fmt::format("a smoothing spline needs at least {} points, got {}", points_min, x.size()),
+        "measure more setpoints");
+  }
+  if (!x.allFinite() || !y.allFinite() || !weights.allFinite()) {
+    return fail(Errc::not_finite, "a point to smooth is NaN or infinite", "remove or repeat it");
+  }
+  const Problem p = problem(x, y, weights);
+  Spline spline = smoothed(p, lambda ? *lambda : chosen_lambda(p));
+  spline.knots = x;
+  return spline;
+}
+
+double value_at(const Spline& s, double x) {
+  const Index n = s.knots.size();
+  const auto* begin = s.knots.data();
+  const Index i = std::upper_bound(begin + 1, begin + n - 1, x) - begin - 1;
+  const double h = s.knots(i + 1) - s.knots(i);
+  const double slope = (s.values(i + 1) - s.values(i)) / h;
+  if (x < s.knots(0)) return s.values(0) + (slope - h * s.second(1) / 6) * (x - s.knots(0));
+  if (x > s.knots(n - 1)) {
+    return s.values(n - 1) + (slope + h * s.second(n - 2) / 6) * (x - s.knots(n - 1));
+  }
+  const double right = (x - s.knots(i)) / h;
+  const double left = 1 - right;
+  return left * s.values(i) + right * s.values(i + 1) +
+         h * h / 6 *
+             ((left * left * left - left) * s.second(i) +
+              (right * right * right - right) * s.second(i + 1));
+}
+
+}  // namespace gyrocal
