@@ -16,7 +16,6 @@ using AddCommand = void (*)(CLI::App& root, Chosen& chosen);
 /// Every subcommand of `gyrocal`, in the order `--help` shows them.
 void add_all_commands(CLI::App& root, Chosen& chosen);
 
-void add_denoise(CLI::App& root, Chosen& chosen);
 void add_fit(CLI::App& root, Chosen& chosen);
 void add_paper(CLI::App& root, Chosen& chosen);
 void add_version(CLI::App& root, Chosen& chosen);

@@ -4,7 +4,6 @@ namespace gyrocal::cli {
 
 void add_all_commands(CLI::App& root, Chosen& chosen) {
   constexpr AddCommand all[] = {
-      add_denoise,
       add_fit,
       add_paper,
       add_version,

@@ -33,6 +33,8 @@ struct BoardTally {
   std::uint64_t bytes_skipped = 0;  ///< bytes that belonged to no frame
   std::uint64_t rejected = 0;       ///< frames with impossible values
   std::uint64_t restarts = 0;       ///< the counter started again: the board was reset
+  std::uint64_t ticks_missed = 0;   ///< samples the board slept through: no gap in its counter
+  bool operator==(const BoardTally&) const = default;
 };
 
 /// One iNEMO V2 board on a serial link.
@@ -46,6 +48,8 @@ class Board {
   [[nodiscard]] virtual Result<void> start() = 0;
   [[nodiscard]] virtual Result<void> stop() = 0;
   /// Appends what has arrived since the last call, in order; at once, never waits.
+  /// BoardSample::t_ns is in time since the epoch of the board's Clock, and only grows. The newest
+  /// frame may stay back for two sample periods: nothing but what follows it proves it whole.
   /// @return link_lost when the board is gone: open() and start() again, with back-off.
   [[nodiscard]] virtual Result<void> drain(std::vector<BoardSample>& into) = 0;
   [[nodiscard]] virtual const BoardTally& tally() const = 0;
