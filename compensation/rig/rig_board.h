@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "compensation/rig/active_effects.h"
 #include "compensation/rig/chamber_air.h"
 #include "compensation/rig/random.h"
 #include "compensation/rig/rig_model.h"
@@ -20,9 +21,9 @@ struct RigSample {
   bool operator==(const RigSample&) const = default;
 };
 
-/// One simulated board in a chamber: temperatures, bias, noise, ADC. Pure, seeded, causal: it asks
-/// the air only at instants that are already asked for, and the same samples come out however the
-/// time is cut into calls. Values: copy one to keep its state.
+/// One simulated board in a chamber: temperatures, bias, the model's effects, noise, ADC. Pure,
+/// seeded, causal: it asks the air only at instants that are already asked for, and the same
+/// samples come out however the time is cut into calls.
 ///
 ///   ChamberAir air(model.baseline.chamber);
 ///   RigBoard board(model, seed, 0);        // board 0 of any number; powered on at t = 0
@@ -39,7 +40,12 @@ struct RigSample {
 /// Cost: about 40 ns a sample of three axes without effects, the physics grid included.
 class RigBoard {
  public:
+  /// Effects must have been checked (instantiate(model) in effects/effect.h; a model read by
+  /// config/rig_model.h is).
   RigBoard(const RigModel& model, std::uint64_t seed, std::uint32_t board_index);
+
+  /// A power cycle at t_ns: time since power-on starts anew; temperatures and mechanics go on.
+  void power_on(std::int64_t t_ns) { power_on_ns_ = t_ns; }
 
   /// The first sample is taken at t_ns, then one every 1/rate_hz. Times never go backwards.
   void start(std::int64_t t_ns, double rate_hz);
@@ -55,20 +61,31 @@ class RigBoard {
   void advance(const ChamberAir& air, std::int64_t t_ns);
   /// The sensor's register at t_ns (not before the last sample taken).
   [[nodiscard]] std::int16_t temperature_raw(const ChamberAir& air, std::int64_t t_ns);
+  /// The accelerometer's true input, tilts included, as of the last advance [g].
+  [[nodiscard]] std::array<double, 3> specific_force_g() const { return drivers_.acc_g; }
+  /// Lines on the samples now (compressor, mains), also for the accelerometer.
+  [[nodiscard]] std::vector<Line> lines() const { return board_effects_.lines(drivers_); }
   /// What no real board tells: for tests and displays, as of the last advance.
+  [[nodiscard]] const Drivers& drivers() const { return drivers_; }
   [[nodiscard]] Celsius board_temperature() const { return {thermals_.board_c()}; }
   [[nodiscard]] Celsius die_temperature() const { return {thermals_.die_c()}; }
 
  private:
   void step_grid(const ChamberAir& air);
   void reach_grid(const ChamberAir& air, std::int64_t t_ns);
-  void take_within_step(std::int64_t count, std::vector<RigSample>& out);
+  void feel(double dt_s);
+  void take_within_step(std::size_t count, std::vector<RigSample>& out);
+  void take_axis(std::size_t axis, std::span<const double> t_s, std::span<RigSample> out);
 
   Baseline baseline_;
   BoardThermals thermals_;
   std::array<CubicBias, 3> bias_;
   std::array<RandomStream, 3> noise_;
+  std::vector<AxisEffects> axis_effects_;  // three
+  BoardEffects board_effects_;
+  Drivers drivers_;
   std::int64_t grid_index_ = 0;  // physics stands at grid_index_ * grid step
+  std::int64_t power_on_ns_ = 0;
   std::array<double, 3> drift_dps_{};
   std::int16_t temperature_raw_ = 0;
   std::int64_t start_ns_ = 0;

@@ -56,6 +56,21 @@ struct EffectUse {
   bool operator==(const EffectUse&) const = default;
 };
 
+/// What an empirical term may hang on.
+enum class EmpiricalDriver { campaign_time, time_on, die, die_rate, chamber_minus_board, phase };
+
+/// A drift that was seen but has no name: a curve over one driver, straight between its knots. A
+/// diagnosis adds it so that the gap shrinks honestly; no physics is claimed
+/// (compensation/rig/empirical_term.h).
+struct EmpiricalTerm {
+  EmpiricalDriver driver = EmpiricalDriver::die;
+  double period_s = 0.0;    ///< of driver phase; else unused
+  std::vector<double> at;   ///< knots, ascending, in the driver's unit
+  std::vector<double> dps;  ///< drift there
+  std::array<bool, 3> axes{true, true, true};
+  bool operator==(const EmpiricalTerm&) const = default;
+};
+
 /// The simulation: baseline plus effects. Kept as a file (config/rig_model.h) and in the database.
 struct RigModel {
   std::string name = "default";
@@ -63,6 +78,7 @@ struct RigModel {
   std::string parent_hash;  ///< its hash (config/rig_model.h); empty: none
   Baseline baseline;
   std::vector<EffectUse> effects;
+  std::vector<EmpiricalTerm> unexplained;
   bool operator==(const RigModel&) const = default;
 };
 
