@@ -3,12 +3,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <memory>
+
+#include "config/text_file.h"
 
 namespace gyrocal::cli {
 namespace {
@@ -62,10 +61,6 @@ Result<void> check_header(const CsvText& csv, int line) {
   return {};
 }
 
-struct FileCloser {
-  void operator()(std::FILE* file) const noexcept { std::fclose(file); }
-};
-
 std::string drained(std::FILE* file) {
   std::string text;
   char block[65536];
@@ -82,18 +77,9 @@ std::string CsvText::place(std::size_t row, std::size_t column) const {
 
 Result<std::string> read_text(const std::string& path) {
   if (path == "-") return drained(stdin);
-  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
-  if (!file) {
-    const int code = errno;
-    return fail(Errc::bad_input, fmt::format("cannot read {}: {}", path, std::strerror(code)),
-                "check the path");
-  }
-  std::string text = drained(file.get());
-  if (std::ferror(file.get()) != 0) {
-    const int code = errno;
-    return fail(Errc::bad_input, fmt::format("cannot read {}: {}", path, std::strerror(code)),
-                "is it a file?");
-  }
+  auto text = read_text_file(path);
+  if (!text)
+    text.error().code = Errc::bad_input;  // the user named it: the exit code is that of usage
   return text;
 }
 

@@ -21,7 +21,7 @@ struct CsvText {
 };
 
 /// Reads a whole file, or standard input for "-".
-/// @return storage with the system's reason.
+/// @return bad_input with the system's reason.
 [[nodiscard]] Result<std::string> read_text(const std::string& path);
 
 /// @return bad_input naming source, line and column: a name twice in the header, a row that is
