@@ -108,6 +108,18 @@ Result<Instance> instantiate(const EffectUse& use) {
   return instance;
 }
 
+EffectUse completed(const EffectUse& use) {
+  const auto instance = instantiate(use);
+  GYROCAL_ASSERT(instance.has_value());
+  EffectUse whole = use;
+  whole.law = std::string(instance->law->info.name);
+  whole.parameters.clear();
+  for (std::size_t i = 0; i < instance->values.size(); ++i) {
+    whole.parameters.emplace_back(instance->law->info.parameters[i].name, instance->values[i]);
+  }
+  return whole;
+}
+
 Result<std::vector<Instance>> instantiate(const RigModel& model) {
   std::vector<Instance> instances;
   for (std::size_t i = 0; i < model.effects.size(); ++i) {

@@ -204,6 +204,9 @@ struct Instance {
   std::array<bool, 3> axes;
   std::vector<std::uint32_t> boards;
 };
+/// `use` with its law and all parameters spelled out, in the law's order. `use` must be valid.
+[[nodiscard]] EffectUse completed(const EffectUse& use);
+
 /// unknown_name (lists what is known), out_of_range, not_finite. An empty law is the first one.
 [[nodiscard]] Result<Instance> instantiate(const EffectUse& use);
 [[nodiscard]] Result<std::vector<Instance>> instantiate(const RigModel& model);
