@@ -186,6 +186,7 @@ void SimulatedBoard::send_held_frame() {
 }
 
 void SimulatedBoard::put(std::span<const std::uint8_t> bytes) {
+  if (!host_open_) return;
   output_.insert(output_.end(), bytes.begin(), bytes.end());
 }
 
