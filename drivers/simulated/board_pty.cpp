@@ -92,14 +92,14 @@ Result<void> BoardPty::attach(Instant now) {
 }
 
 void BoardPty::detach() {
-  if (!terminal_.master) return;
+  if (!terminal_.master.is_open()) return;
   std::error_code gone;
   if (fs::read_symlink(link_, gone) == terminal_.name) ::unlink(link_.c_str());
   terminal_ = Terminal{};
 }
 
 void BoardPty::watch(std::vector<pollfd>& into) const {
-  if (!terminal_.master) return;
+  if (!terminal_.master.is_open()) return;
   into.push_back({terminal_.opened.get(), POLLIN, 0});
   // A terminal nobody has open is always "ready" (hung up): the watch above wakes us instead.
   if (!host_open_) return;
@@ -111,7 +111,7 @@ void BoardPty::watch(std::vector<pollfd>& into) const {
 Result<void> BoardPty::serve(Instant now) {
   board_->advance(now);
   if (!board_->present() || board_->appearance() != appearance_) detach();
-  if (!terminal_.master) return board_->present() ? attach(now) : Result<void>{};
+  if (!terminal_.master.is_open()) return board_->present() ? attach(now) : Result<void>{};
   if (auto noticed = notice_host(now); !noticed) return noticed;
   if (!host_open_) return {};
   hear(now);

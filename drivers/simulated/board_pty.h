@@ -8,7 +8,7 @@
 #include "compensation/values/error.h"
 #include "drivers/clock.h"
 #include "drivers/simulated/simulated_board.h"
-#include "drivers/simulated/unique_fd.h"
+#include "drivers/tty_lock.h"
 
 namespace gyrocal {
 
@@ -42,9 +42,9 @@ class BoardPty {
  private:
   BoardPty(SimulatedBoard& board, std::string link);
   struct Terminal {
-    UniqueFd master;
-    UniqueFd opened;  // inotify: wakes us when somebody opens the terminal
-    std::string name;
+    UniqueFd master{};
+    UniqueFd opened{};  // inotify: wakes us when somebody opens the terminal
+    std::string name{};
   };
   [[nodiscard]] static Result<Terminal> new_terminal();
   [[nodiscard]] Result<void> attach(Instant now);

@@ -54,7 +54,8 @@ Result<UniqueFd> ModbusTcpServer::listen_at(const std::string& host, int port) {
   }
   UniqueFd listener(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   const int on = 1;
-  if (!listener || ::setsockopt(listener.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) != 0 ||
+  if (!listener.is_open() ||
+      ::setsockopt(listener.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) != 0 ||
       ::bind(listener.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
       ::listen(listener.get(), static_cast<int>(clients_max)) != 0) {
     const int code = errno;
@@ -70,7 +71,7 @@ void ModbusTcpServer::set_refusing(bool refusing) {
   if (refusing == refusing_) return;
   if (refusing) {
     clients_.clear();
-    listener_.reset();  // a listener nobody accepts from would still complete the handshake
+    listener_ = UniqueFd{};  // a listener nobody accepts from would still complete the handshake
   } else if (auto again = listen_at(host_, port_)) {
     listener_ = *std::move(again);
   } else {
@@ -80,7 +81,7 @@ void ModbusTcpServer::set_refusing(bool refusing) {
 }
 
 void ModbusTcpServer::watch(std::vector<pollfd>& into) const {
-  if (listener_) into.push_back({listener_.get(), POLLIN, 0});
+  if (listener_.is_open()) into.push_back({listener_.get(), POLLIN, 0});
   for (const Client& client : clients_) into.push_back({client.fd.get(), POLLIN, 0});
 }
 
@@ -97,7 +98,7 @@ std::optional<ModbusTcpServer::WallTime> ModbusTcpServer::deadline() const {
 }
 
 void ModbusTcpServer::serve(WallTime now, const Handler& handler) {
-  if (listener_) accept_clients();
+  if (listener_.is_open()) accept_clients();
   for (auto client = clients_.begin(); client != clients_.end();) {
     const bool stays =
         receive(*client, now) && answer_all(*client, now, handler) && send_late(*client, now);
@@ -108,7 +109,7 @@ void ModbusTcpServer::serve(WallTime now, const Handler& handler) {
 void ModbusTcpServer::accept_clients() {
   for (;;) {
     UniqueFd fd(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-    if (!fd) return;
+    if (!fd.is_open()) return;
     if (clients_.size() == clients_max) continue;  // closed: the controller takes no more
     const int on = 1;
     ::setsockopt(fd.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);

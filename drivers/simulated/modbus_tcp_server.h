@@ -14,7 +14,7 @@
 #include "compensation/values/error.h"
 #include "drivers/link.h"
 #include "drivers/simulated/chamber_answer.h"
-#include "drivers/simulated/unique_fd.h"
+#include "drivers/tty_lock.h"
 
 namespace gyrocal {
 

@@ -26,7 +26,7 @@ Result<RigServer::Folder> RigServer::Folder::open(const std::string& path) {
   std::error_code error;
   const bool made = fs::create_directories(path, error);
   UniqueFd lock(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!lock) {
+  if (!lock.is_open()) {
     const int code = errno;
     return fail(Errc::storage, fmt::format("link directory {}: {}", path, std::strerror(code)),
                 "choose a directory that can be made and written to");
@@ -40,7 +40,7 @@ Result<RigServer::Folder> RigServer::Folder::open(const std::string& path) {
 
 RigServer::Folder::~Folder() {
   std::error_code not_empty;
-  if (lock_ && !made_.empty()) fs::remove(made_, not_empty);
+  if (lock_.is_open() && !made_.empty()) fs::remove(made_, not_empty);
 }
 
 RigServer::RigServer(SimulatedRig& rig, Clock& clock, double time_scale, ModbusTcpServer chamber)

@@ -12,20 +12,22 @@ namespace {
 constexpr Duration identify_time = std::chrono::milliseconds(3500);
 constexpr Duration reset_delay = std::chrono::seconds(5);
 constexpr Duration enumeration_time = std::chrono::seconds(1);
-constexpr double conversion_s = 0.15;          // STLM75, longest
+constexpr double conversion_s = 0.15;                  // STLM75, longest
+constexpr std::int64_t physics_step_ns = 200'000'000;  // of rig::RigBoard
 constexpr std::int64_t samples_a_time = 4096;  // keeps a long silence of the reader from the memory
 
 /// A board that lies level in a quiet room: what its other sensors read, raw.
-constexpr inemo::DataFrame surroundings{
-    .accelerometer = {0, 0, 16000}, .magnetometer = {211, 0, 408}, .pressure = 16212};
+constexpr inemo::DataFrame surroundings{.magnetometer = {211, 0, 408}, .pressure = 16212};
 
 std::int64_t ns(Instant t) { return t.time_since_epoch().count(); }
 
 }  // namespace
 
-SimulatedBoard::SimulatedBoard(rig::RigBoard physics, const rig::ChamberAir& air,
-                               const McuId& mcu_id, std::size_t output_bytes_max)
+SimulatedBoard::SimulatedBoard(rig::RigBoard physics, Accelerometer accelerometer,
+                               const rig::ChamberAir& air, const McuId& mcu_id,
+                               std::size_t output_bytes_max)
     : physics_(std::move(physics)),
+      accelerometer_(std::move(accelerometer)),
       air_(air),
       firmware_(mcu_id),
       output_bytes_max_(output_bytes_max),
@@ -74,7 +76,7 @@ void SimulatedBoard::answer(std::span<const std::uint8_t> packet, Instant now) {
       reset_at_ = now + reset_delay;
       break;
     case Deed::leave_for_dfu:
-      leave_bus();
+      leave_bus(now);
       break;
     case Deed::stop:
     case Deed::none:
@@ -127,23 +129,32 @@ void SimulatedBoard::reach_events(Instant now) {
   if (reset_at_ && *reset_at_ <= now) {
     const Instant ended = *reset_at_;
     stream_until(ns(ended));
-    leave_bus();
+    leave_bus(ended);
     return_at_ = ended + enumeration_time;
   }
-  if (return_at_ && *return_at_ <= now) join_bus();
+  if (return_at_ && *return_at_ <= now) join_bus(*return_at_);
 }
 
 void SimulatedBoard::stream_until(std::int64_t t_ns) {
   while (streaming_ && physics_.next_sample_ns() <= t_ns) {
-    // Never past the last frame of a counted acquisition: a sample that is drawn and not needed
-    // would change the noise of the next one.
-    const std::int64_t count =
-        frames_left_ == 0 ? samples_a_time : std::min<std::int64_t>(samples_a_time, frames_left_);
-    const auto last_ns = static_cast<std::int64_t>(static_cast<double>(count - 1) * 1e9 / rate_hz_);
     samples_.clear();
-    physics_.take_until(air_, std::min(t_ns, physics_.next_sample_ns() + last_ns), samples_);
+    physics_.take_until(air_, std::min(t_ns, batch_end_ns()), samples_);
     for (const rig::RigSample& sample : samples_) send(sample);
   }
+}
+
+/// How far samples may be drawn at once.
+std::int64_t SimulatedBoard::batch_end_ns() const {
+  // Never past the last frame of a counted acquisition: a sample that is drawn and not needed would
+  // change the noise of the next one.
+  const std::int64_t count =
+      frames_left_ == 0 ? samples_a_time : std::min<std::int64_t>(samples_a_time, frames_left_);
+  const auto span_ns = static_cast<std::int64_t>(static_cast<double>(count - 1) * 1e9 / rate_hz_);
+  const std::int64_t next_ns = physics_.next_sample_ns();
+  if (layout_.accelerometer_at == 0) return next_ns + span_ns;
+  // The accelerometer is read where the physics stands, so it must not run ahead a step.
+  const std::int64_t step_end_ns = (next_ns / physics_step_ns + 1) * physics_step_ns - 1;
+  return std::min(next_ns + span_ns, step_end_ns);
 }
 
 void SimulatedBoard::send(const rig::RigSample& sample) {
@@ -155,6 +166,9 @@ void SimulatedBoard::send(const rig::RigSample& sample) {
 
 void SimulatedBoard::build_frame(const rig::RigSample& sample) {
   frame_.counter = counter_;
+  if (layout_.accelerometer_at != 0) {
+    frame_.accelerometer = accelerometer_.read(physics_, sample.t_ns);
+  }
   frame_.gyro = sample.gyro_lsb;
   frame_.temperature = thermometer(sample);
   waiting_ = !room_for(layout_.frame_bytes);
@@ -205,35 +219,37 @@ void SimulatedBoard::host_opens(Instant now) {
 
 void SimulatedBoard::unplug(Instant now) {
   advance(now);
-  leave_bus();
+  leave_bus(now);
   return_at_.reset();
 }
 
 void SimulatedBoard::plug_in(Instant now) {
   advance(now);
-  if (!present_) join_bus();
+  if (!present_) join_bus(now);
 }
 
 void SimulatedBoard::brown_out(Instant now) {
   advance(now);
-  boot();
+  boot(now);
 }
 
-void SimulatedBoard::leave_bus() {
-  boot();
+void SimulatedBoard::leave_bus(Instant now) {
+  boot(now);
   present_ = false;
   output_.clear();
   output_begin_ = 0;
 }
 
-void SimulatedBoard::join_bus() {
+void SimulatedBoard::join_bus(Instant now) {
+  physics_.power_on(ns(now));
   return_at_.reset();
   present_ = true;
   ++appearance_;
 }
 
-void SimulatedBoard::boot() {
+void SimulatedBoard::boot(Instant now) {
   firmware_.boot();
+  physics_.power_on(ns(now));
   stop();
   waiting_ = false;
   held_frame_.clear();

@@ -12,6 +12,7 @@
 #include "drivers/board/frame.h"
 #include "drivers/clock.h"
 #include "drivers/link.h"
+#include "drivers/simulated/accelerometer.h"
 #include "drivers/simulated/board_firmware.h"
 
 namespace gyrocal {
@@ -29,7 +30,8 @@ class SimulatedBoard {
  public:
   /// `air` must outlive the board. The host's port is open from the start.
   /// @param output_bytes_max  what the host's side buffers before it throttles the board.
-  SimulatedBoard(rig::RigBoard physics, const rig::ChamberAir& air, const McuId& mcu_id,
+  SimulatedBoard(rig::RigBoard physics, Accelerometer accelerometer, const rig::ChamberAir& air,
+                 const McuId& mcu_id,
                  std::size_t output_bytes_max = std::numeric_limits<std::size_t>::max());
 
   /// One write of the host. Lost while the board is away.
@@ -66,6 +68,7 @@ class SimulatedBoard {
  private:
   void reach_events(Instant now);
   void stream_until(std::int64_t t_ns);
+  [[nodiscard]] std::int64_t batch_end_ns() const;
   void send(const rig::RigSample& sample);
   void build_frame(const rig::RigSample& sample);
   [[nodiscard]] std::int16_t thermometer(const rig::RigSample& sample);
@@ -74,12 +77,13 @@ class SimulatedBoard {
   void answer(std::span<const std::uint8_t> packet, Instant now);
   void start(Instant now);
   void stop();
-  void boot();
-  void leave_bus();
-  void join_bus();
+  void boot(Instant now);
+  void leave_bus(Instant now);
+  void join_bus(Instant now);
   void put(std::span<const std::uint8_t> bytes);
 
   rig::RigBoard physics_;
+  Accelerometer accelerometer_;
   const rig::ChamberAir& air_;
   BoardFirmware firmware_;
   std::size_t output_bytes_max_;

@@ -22,8 +22,9 @@ SimulatedRig::SimulatedRig(const rig::RigModel& model, std::uint64_t seed, std::
     : air_(model.baseline.chamber), chamber_(profile, unit, air_) {
   for (std::size_t index = 0; index < board_count; ++index) {
     boards_.push_back(std::make_unique<SimulatedBoard>(
-        rig::RigBoard(model, seed, static_cast<std::uint32_t>(index)), air_,
-        simulated_mcu_id(index), output_bytes_max));
+        rig::RigBoard(model, seed, static_cast<std::uint32_t>(index)),
+        Accelerometer(seed, static_cast<std::uint32_t>(index)), air_, simulated_mcu_id(index),
+        output_bytes_max));
   }
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("a host that closes and opens again finds one stale frame, then fresh 
   auto port = open_port(rig.folder / "board0");
   start_gyro(rig, port);
   rig.turn_at(1.0);  // 50 frames, never read
-  port.reset();
+  port = UniqueFd{};
   rig.turn();
   rig.turn_at(60);
   port = open_port(rig.folder / "board0");
@@ -75,7 +75,7 @@ TEST_CASE("a port left in exclusive mode can be opened again", "[simulated][pty]
   auto port = open_port(rig.folder / "board0");
   rig.turn();
   REQUIRE(::ioctl(port.get(), TIOCEXCL) == 0);
-  port.reset();
+  port = UniqueFd{};
   rig.turn();
   int exclusive = -1;
   port = open_port(rig.folder / "board0");

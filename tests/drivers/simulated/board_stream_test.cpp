@@ -44,12 +44,12 @@ TEST_CASE("frames carry what the mode asks for, in the firmware's order", "[simu
   SECTION("everything, raw: 27 bytes") {
     Streaming board("3f 18 00 00");
     CHECK(board.heard(0.02) ==
-          "40 19 52 00 01 00 00 00 00 3e 80 00 11 ff fd 00 05 00 d3 00 00 01 98 3f 54 17 00");
+          "40 19 52 00 01 ff d0 00 10 3e 70 00 11 ff fd 00 05 00 d3 00 00 01 98 3f 54 17 00");
   }
   SECTION("everything, calibrated: mg, whole deg/s, mG, 0.1 mbar, 0.1 degC") {
     Streaming board("1f 18 00 00");
     CHECK(board.heard(0.02) ==
-          "40 19 52 00 01 00 00 00 00 03 e8 00 04 00 00 00 01 00 c8 00 00 01 82 27 94 00 e6");
+          "40 19 52 00 01 ff fd 00 01 03 e7 00 04 00 00 00 01 00 c8 00 00 01 82 27 94 00 e6");
   }
   SECTION("nothing but the counter") {
     Streaming board("20 18 00 00");
@@ -214,7 +214,7 @@ TEST_CASE("the same bytes come however often anybody looks", "[simulated][board]
       for (int i = 0; i < 200; ++i) look(1 + 0.1 * i);
     }
     rig.chamber().set_at_panel(Celsius{-10}, at_s(21));
-    say("20 05 50 28 30 00 00", 22);
+    say("20 05 50 38 30 00 00", 22);  // 400 Hz, with the accelerometer
     say("20 01 52", 22);
     if (often) {
       for (int i = 0; i < 100; ++i) look(22 + 0.03 * i);
@@ -225,6 +225,6 @@ TEST_CASE("the same bytes come however often anybody looks", "[simulated][board]
     return all;
   };
   const Bytes seldom = listen(false);
-  CHECK(seldom.size() > 500 * 13 + 3000 * 11);
+  CHECK(seldom.size() > 500 * 13 + 3000 * 17);
   CHECK(seldom == listen(true));
 }

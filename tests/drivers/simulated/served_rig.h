@@ -11,7 +11,7 @@
 
 #include "drivers/clocks.h"
 #include "drivers/simulated/rig_server.h"
-#include "drivers/simulated/unique_fd.h"
+#include "drivers/tty_lock.h"
 #include "tests/drivers/simulated/bench_board.h"
 #include "tests/drivers/simulated/scratch_folder.h"
 
@@ -46,7 +46,7 @@ class ServedRig {
 /// A host's plain open of a board's link.
 inline UniqueFd open_port(const std::string& link) {
   UniqueFd port(::open(link.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-  REQUIRE(port);
+  REQUIRE(port.is_open());
   return port;
 }
 
