@@ -27,6 +27,7 @@ struct CampaignRow {
   double time_scale = 1.0;
   int samples_per_setpoint = 0;
   int sample_rate_hz = 0;
+  double monitor_interval_s = 5;  ///< spacing of the monitor rows
   std::string state;  ///< name of the state machine's state, kept current by set_campaign_state
 };
 
@@ -38,6 +39,7 @@ struct BoardRow {
   std::string hardware_version;
   std::array<double, 3> lsb_per_dps{};
   std::array<double, 3> lsb_per_dps_per_k{};
+  std::array<bool, 3> measured{true, true, true};  ///< axes with data; an imported session has one
 };
 
 struct SetpointRow {
@@ -96,6 +98,13 @@ struct DwellDriftInsert {
   double standard_error_dps = missing;  ///< from the dwell's own autocorrelated noise
 };
 
+/// What an analysis was made with; the same settings, dwells and version give the same results to
+/// the last bit.
+struct AnalysisSettings {
+  std::string settings_json;  ///< wavelet, level, mode, rule
+  std::string software_version;
+};
+
 struct ModelPoint {
   double temperature_c = 0;
   double measured_dps = 0;
@@ -113,10 +122,8 @@ struct ModelInsert {
   double max_dps = 0;
   double loocv_rmse_dps = missing;
   bool recommended = false;
-  std::string reason;         ///< why recommended, or empty
-  std::string settings_json;  ///< wavelet, level, mode, rule
-  std::string dwells_sha256;  ///< over the raw samples of the dwells used
-  std::string software_version;
+  std::string reason;           ///< why recommended, or empty
+  std::string dwells_sha256;    ///< over the raw samples of the dwells used
   std::vector<DwellId> dwells;  ///< those used
   std::vector<ModelPoint> points;
 };
@@ -139,16 +146,18 @@ struct OpenCampaign {
   std::vector<DwellRow> dwells;  ///< all, rejected ones included, in order
 };
 
-/// The typed way into the database (DESIGN section 8). One writer; every function that writes is
-/// one transaction and has stored all of it, on disk, when it returns without error, or nothing.
-/// Errors: storage (the message names file and reason), busy (somebody else writes), mismatch (a
-/// newer schema, another application), bad_input (a row the tables refuse).
+/// The typed way into the database (DESIGN section 8), used by one thread. One writer; every
+/// function that writes is one transaction and has stored all of it, on disk, when it returns
+/// without error, or nothing. Errors: storage (the message names file and reason), busy (somebody
+/// else writes), mismatch (a newer schema, another application), bad_input (a row the tables
+/// refuse).
 class Store {
  public:
   /// Opens or creates and migrates to the present schema. Takes the writer's lock; a second writer
   /// gets busy, with the holder's process id.
   [[nodiscard]] static Result<Store> open(const std::string& path);
-  /// Opens what exists, for reading only.
+  /// Opens what exists, for reading only; also while a campaign writes, and on a disk nobody can
+  /// write to.
   [[nodiscard]] static Result<Store> open_read_only(const std::string& path);
 
   Store(Store&&) noexcept;
@@ -165,7 +174,9 @@ class Store {
   /// One group: the dwells of all boards at one setpoint, with their samples.
   [[nodiscard]] Result<std::vector<DwellId>> add_group(CampaignId campaign,
                                                        std::span<const DwellWithSamples> dwells);
-  [[nodiscard]] Result<void> add_analysis(CampaignId campaign,
+  /// Drifts and models of one pass over the accepted dwells. A former pass with the same settings
+  /// is replaced, one with others stays; the views show the latest.
+  [[nodiscard]] Result<void> add_analysis(CampaignId campaign, const AnalysisSettings& settings,
                                           std::span<const DwellDriftInsert> drifts,
                                           std::span<const ModelInsert> models);
 
@@ -178,9 +189,18 @@ class Store {
                                                                    BoardId board) const;
   /// Raw samples of a dwell, in order of seq.
   [[nodiscard]] Result<std::vector<BoardSample>> samples(DwellId dwell) const;
+  /// Zero drifts by the campaign's latest analysis, in the order of the setpoints; none if it has
+  /// not been analysed.
+  [[nodiscard]] Result<std::vector<DwellDriftInsert>> drifts(CampaignId campaign, BoardId board,
+                                                             Axis axis) const;
+  /// Models of the campaign's latest analysis.
   [[nodiscard]] Result<std::vector<ModelInsert>> models(CampaignId campaign, BoardId board,
                                                         Axis axis) const;
-  /// One axis of one board as the diagnosis reads it.
+  /// The settings of the campaign's latest analysis.
+  [[nodiscard]] Result<std::optional<AnalysisSettings>> analysis_settings(
+      CampaignId campaign) const;
+  /// One axis of one board as the diagnosis reads it: monitor and accepted dwells in deg/s by the
+  /// board's scale factor at its temperature; a dwell's number is its setpoint's ordinal.
   [[nodiscard]] Result<Session> session(CampaignId campaign, BoardId board, Axis axis) const;
 
  private:

@@ -1,0 +1,20 @@
+# gyrocal_embed_sql(OUTPUT file): a source file that holds every migration and view as text.
+function(gyrocal_embed_sql output)
+  set(source "#include \"schema/embedded_sql.h\"\n\nnamespace gyrocal {\nnamespace {\n")
+  foreach(kind migrations views)
+    file(GLOB files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${kind}/*.sql)
+    list(SORT files)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
+    string(APPEND source "constexpr SqlFile ${kind}[] = {\n")
+    foreach(file ${files})
+      get_filename_component(name ${file} NAME)
+      file(READ ${file} text)
+      string(APPEND source "    {\"${name}\", R\"sql(${text})sql\"},\n")
+    endforeach()
+    string(APPEND source "};\n")
+  endforeach()
+  string(APPEND source "}  // namespace\n\n"
+    "std::span<const SqlFile> embedded_migrations() { return migrations; }\n"
+    "std::span<const SqlFile> embedded_views() { return views; }\n\n}  // namespace gyrocal\n")
+  file(CONFIGURE OUTPUT ${output} CONTENT "@source@" @ONLY)
+endfunction()
