@@ -126,7 +126,7 @@ std::vector<std::string> telling_plans(const std::string& name) {
 
 double weak_flicker_dps(const Setting& setting, const Trajectory& over) {
   const double bin_s = static_cast<double>(over.seconds()) / 400.0;
-  return 0.33 * setting.flicker_share * setting.white_per_root_hz() / std::sqrt(bin_s);
+  return 0.12 * setting.flicker_share * setting.white_per_root_hz() / std::sqrt(bin_s);
 }
 
 Case slow_single(const std::string& name, const std::string& level, std::uint64_t seed) {

@@ -21,7 +21,8 @@ Case outsider_case(const std::string& law, std::uint64_t seed);
 Case confounded_case(const std::string& name, const std::vector<std::string>& plans, bool straight,
                      std::uint64_t seed);
 
-/// The weak flicker nobody should see: at most a third of the white noise of a 1/400 session.
+/// The weak flicker nobody should see: B at most 0.12 of the white noise of a 1/400 session,
+/// where fitting it gains under one nat.
 double weak_flicker_dps(const Setting& setting, const Trajectory& over);
 
 /// The plan on which an effect can be told from its rivals.
