@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <numeric>
 #include <utility>
 
 #include "compensation/values/assert.h"
 #include "compensation/wavelet/dwt_level.h"
+#include "compensation/wavelet/dwt_stream.h"
 
 namespace gyrocal {
 namespace {
@@ -25,6 +28,14 @@ void lay_out(std::size_t signal_length, const Wavelet& wavelet, Decomposition& t
   to.coefficients.resize(std::accumulate(to.lengths.begin(), to.lengths.end() - 1, std::size_t{0}));
 }
 
+/// The half of the workspace not handed out last. Only grows: shrinking and growing again would
+/// write zeros each time.
+std::span<double> next_scratch(Workspace& workspace, std::size_t length) {
+  std::swap(workspace.here, workspace.there);
+  if (workspace.here.size() < length) workspace.here.resize(length);
+  return std::span(workspace.here).first(length);
+}
+
 /// One level up at a time from band 0 to the signal. `keep` says which bands count; the others are
 /// taken as zero.
 template <class Keep>
@@ -38,9 +49,7 @@ void climb(const Decomposition& from, const Wavelet& wavelet, Workspace& workspa
     if (low.empty() && high.empty()) continue;
     std::span<double> up = signal;
     if (band + 1 < from.bands()) {
-      std::swap(workspace.here, workspace.there);
-      workspace.here.resize(from.lengths[band + 1]);
-      up = workspace.here;
+      up = next_scratch(workspace, from.lengths[band + 1]);
     }
     synthesise_level(low, high, *wavelet.bank, wavelet.boundary, up);
     low = up;
@@ -61,11 +70,6 @@ std::span<double> Decomposition::band(std::size_t index) {
   const std::span<const double> found = std::as_const(*this).band(index);
   return std::span(coefficients)
       .subspan(static_cast<std::size_t>(found.data() - coefficients.data()), found.size());
-}
-
-std::size_t band_length(std::size_t signal_length, std::size_t taps, Boundary boundary) {
-  if (boundary == Boundary::periodization) return (signal_length + 1) / 2;
-  return (signal_length + taps - 1) / 2;
 }
 
 int deepest_level(std::size_t signal_length) {
@@ -96,13 +100,20 @@ void decompose_into(std::span<const double> signal, const Wavelet& wavelet, Work
   GYROCAL_ASSERT(wavelet.level >= 1 && wavelet.level <= deepest_level(signal.size()));
   lay_out(signal.size(), wavelet, to);
   std::span<const double> from = signal;
-  for (std::size_t band = to.bands() - 1; band >= 1; --band) {
-    std::span<double> low = to.band(0);
-    if (band > 1) {
-      std::swap(workspace.here, workspace.there);
-      workspace.here.resize(to.lengths[band]);
-      low = workspace.here;
-    }
+  std::size_t band = to.bands() - 1;
+  if (worth_streaming(signal.size(), wavelet.bank->taps())) {
+    std::array<std::span<double>, streamed_levels> details;
+    const std::size_t levels = std::min(band, details.size());
+    for (std::size_t i = 0; i < levels; ++i) details[i] = to.band(band - i);
+    band -= levels;
+    const std::span<double> low =
+        band == 0 ? to.band(0) : next_scratch(workspace, to.lengths[band + 1]);
+    stream_levels(signal, *wavelet.bank, wavelet.boundary, std::span(details).first(levels), low);
+    from = low;
+  }
+  for (; band >= 1; --band) {
+    const std::span<double> low =
+        band == 1 ? to.band(0) : next_scratch(workspace, to.lengths[band]);
     analyse_level(from, *wavelet.bank, wavelet.boundary, low, to.band(band));
     from = low;
   }

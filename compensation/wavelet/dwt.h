@@ -35,10 +35,6 @@ struct Workspace {
   std::vector<double> there;
 };
 
-/// Length of each band one level down: ceil(n/2) for periodization, floor((n + taps - 1)/2) else.
-[[nodiscard]] std::size_t band_length(std::size_t signal_length, std::size_t taps,
-                                      Boundary boundary);
-
 /// floor(log2(n)): a coefficient one level deeper would stand for more samples than there are.
 /// 0 for n < 2.
 [[nodiscard]] int deepest_level(std::size_t signal_length);

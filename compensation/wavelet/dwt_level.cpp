@@ -13,12 +13,6 @@ constexpr std::size_t max_half_taps = 15;   // coif5
 constexpr std::size_t block_outputs = 512;  // even and odd part of a block stay in the L1 cache
 constexpr std::size_t edge_pairs_at_once = 16;
 
-/// Index of the sample under the filter's first tap at output 0 (0 or negative).
-std::ptrdiff_t first_index(std::size_t taps, Boundary boundary) {
-  const auto length = static_cast<std::ptrdiff_t>(taps);
-  return boundary == Boundary::periodization ? 1 - length / 2 : 2 - length;
-}
-
 /// Writes the continued signal from index `begin` on, `pairs` even-odd pairs of it.
 void split_continued(std::span<const double> signal, Boundary boundary, std::ptrdiff_t begin,
                      std::size_t pairs, double* even, double* odd) {
@@ -39,6 +33,16 @@ void split_continued(std::span<const double> signal, Boundary boundary, std::ptr
 }
 
 }  // namespace
+
+std::size_t band_length(std::size_t signal_length, std::size_t taps, Boundary boundary) {
+  if (boundary == Boundary::periodization) return (signal_length + 1) / 2;
+  return (signal_length + taps - 1) / 2;
+}
+
+std::ptrdiff_t first_index(std::size_t taps, Boundary boundary) {
+  const auto length = static_cast<std::ptrdiff_t>(taps);
+  return boundary == Boundary::periodization ? 1 - length / 2 : 2 - length;
+}
 
 void analyse_level(std::span<const double> signal, const FilterBank& bank, Boundary boundary,
                    std::span<double> low, std::span<double> high) {

@@ -8,6 +8,14 @@
 
 namespace gyrocal {
 
+/// Length of each band one level down: ceil(n/2) for periodization, floor((n + taps - 1)/2) else.
+[[nodiscard]] std::size_t band_length(std::size_t signal_length, std::size_t taps,
+                                      Boundary boundary);
+
+/// Index of the sample under the filter's first tap at output 0 (0 or negative); output o starts
+/// 2o further on.
+[[nodiscard]] std::ptrdiff_t first_index(std::size_t taps, Boundary boundary);
+
 /// One level down: both bands of `signal`, each of band_length() values. `low` and `high` do not
 /// overlap `signal`.
 void analyse_level(std::span<const double> signal, const FilterBank& bank, Boundary boundary,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "compensation/wavelet/kernels.h"
@@ -46,7 +47,7 @@ struct Body {
     }
   }
 
-  template <std::size_t Side>
+  template <std::size_t Side, bool PastCaches>
   [[gnu::always_inline]] static inline void analyse_tile(const double* even, const double* odd,
                                                          const double* lo, const double* hi,
                                                          std::size_t half_taps, double* low,
@@ -65,7 +66,11 @@ struct Body {
     }
     for (std::size_t u = 0; u < Side; ++u) {
       store<V>(low + u * width, sum_low[u]);
-      store<V>(high + u * width, sum_high[u]);
+      if constexpr (PastCaches) {
+        Lanes::store_past_caches(high + u * width, sum_high[u]);
+      } else {
+        store<V>(high + u * width, sum_high[u]);
+      }
     }
   }
 
@@ -88,15 +93,34 @@ struct Body {
     constexpr std::size_t tile = Lanes::analyse_side * width;
     std::size_t at = 0;
     for (; at + tile <= count; at += tile) {
-      analyse_tile<Lanes::analyse_side>(even + at, odd + at, lo, hi, half_taps, low + at,
-                                        high + at);
+      analyse_tile<Lanes::analyse_side, false>(even + at, odd + at, lo, hi, half_taps, low + at,
+                                               high + at);
     }
     for (; at + width <= count; at += width) {
-      analyse_tile<1>(even + at, odd + at, lo, hi, half_taps, low + at, high + at);
+      analyse_tile<1, false>(even + at, odd + at, lo, hi, half_taps, low + at, high + at);
     }
     for (; at < count; ++at) {
       analyse_one(even + at, odd + at, lo, hi, half_taps, low + at, high + at);
     }
+  }
+
+  static void analyse_long(const double* even, const double* odd, std::size_t count,
+                           const double* lo, const double* hi, std::size_t half_taps, double* low,
+                           double* high, const double* next) {
+    constexpr std::size_t tile = Lanes::analyse_side * width;
+    constexpr std::size_t cache_line = 64 / sizeof(double);
+    std::size_t at = 0;
+    for (; at < count && reinterpret_cast<std::uintptr_t>(high + at) % sizeof(V) != 0; ++at) {
+      analyse_one(even + at, odd + at, lo, hi, half_taps, low + at, high + at);
+    }
+    for (; at + tile <= count; at += tile) {
+      for (std::size_t i = 0; next != nullptr && i < 2 * tile; i += cache_line) {
+        __builtin_prefetch(next + 2 * at + i, 0, 1);
+      }
+      analyse_tile<Lanes::analyse_side, true>(even + at, odd + at, lo, hi, half_taps, low + at,
+                                              high + at);
+    }
+    analyse(even + at, odd + at, count - at, lo, hi, half_taps, low + at, high + at);
   }
 
   template <std::size_t... I>
@@ -170,7 +194,7 @@ struct Body {
     synthesise_bands<true>(low, high, pairs, lo, hi, half_taps, signal);
   }
 
-  static constexpr Kernels kernels = {split, analyse, synthesise};
+  static constexpr Kernels kernels = {split, analyse, analyse_long, synthesise};
 };
 
 }  // namespace

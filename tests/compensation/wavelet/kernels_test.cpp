@@ -10,7 +10,7 @@ using namespace gyrocal;
 namespace {
 
 struct Output {
-  std::vector<double> values[5];
+  std::vector<double> values[6];
   bool operator==(const Output&) const = default;
 };
 
@@ -25,6 +25,8 @@ Output run_all(const Kernels& kernels, const std::vector<double>& data, std::siz
   kernels.split(a, count, output.values[0].data(), output.values[1].data());
   kernels.analyse(a, b, count, lo, hi, half_taps, output.values[2].data(),
                   output.values[2].data() + count);
+  kernels.analyse_long(a, b, count, lo, hi, half_taps, output.values[5].data(),
+                       output.values[5].data() + count, count > 40 ? a : nullptr);
   kernels.synthesise(a, b, count, lo, hi, half_taps, output.values[3].data());
   kernels.synthesise(a, nullptr, count, lo, hi, half_taps, output.values[4].data());
   return output;
@@ -52,6 +54,8 @@ TEST_CASE("every instruction set gives the portable result to the last bit",
         CAPTURE(static_cast<int>(set), count, half_taps);
         REQUIRE(run_all(*wide, data, count, half_taps) ==
                 run_all(portable, data, count, half_taps));
+        const Output output = run_all(*wide, data, count, half_taps);
+        REQUIRE(output.values[5] == output.values[2]);
       }
     }
   }
