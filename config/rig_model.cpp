@@ -253,6 +253,7 @@ Result<rig::RigModel> read_rig_model(const std::string& path_or_name) {
   auto text = read_text_file(path);
   if (!text) {
     Error error = text.error();
+    error.code = Errc::bad_input;  // what was typed, not the disk
     error.advice = "a path, or the name of a model that gyrocal rig models lists";
     return tl::unexpected(error);
   }

@@ -24,7 +24,8 @@ namespace gyrocal {
 inline constexpr char default_rig_model[] = "default";
 
 /// Reads a file, or a shipped model by its name (the names in config/rig_models).
-/// @return bad_input, unknown_name, out_of_range, not_finite or storage; `what` starts with
+/// @return bad_input (also: no such file), unknown_name, out_of_range or not_finite; `what` starts
+/// with
 ///   "FILE:LINE: /effects/0/parameters/w:".
 [[nodiscard]] Result<rig::RigModel> read_rig_model(const std::string& path_or_name);
 

@@ -18,6 +18,7 @@ void add_all_commands(CLI::App& root, Chosen& chosen);
 
 void add_fit(CLI::App& root, Chosen& chosen);
 void add_paper(CLI::App& root, Chosen& chosen);
+void add_rig(CLI::App& root, Chosen& chosen);
 void add_version(CLI::App& root, Chosen& chosen);
 
 }  // namespace gyrocal::cli

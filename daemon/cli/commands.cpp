@@ -6,6 +6,7 @@ void add_all_commands(CLI::App& root, Chosen& chosen) {
   constexpr AddCommand all[] = {
       add_fit,
       add_paper,
+      add_rig,
       add_version,
   };
   for (const AddCommand add : all) add(root, chosen);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "config/json_line.h"
+#include "config/rig_model_diff.h"
 
 using namespace gyrocal;
 
@@ -131,7 +132,7 @@ TEST_CASE("other mistakes in a rig model name their place too") {
 TEST_CASE("a model that is not there is refused with what to do") {
   const auto model = read_rig_model("no_such_model");
   REQUIRE_FALSE(model);
-  CHECK(model.error().code == Errc::storage);
+  CHECK(model.error().code == Errc::bad_input);
   CHECK(model.error().advice.find("gyrocal rig models") != std::string::npos);
 }
 
@@ -145,4 +146,26 @@ TEST_CASE("a JSON pointer leads to its line, through strings with brackets and e
   CHECK(json_line(text, "/b/1/c") == 5);
   CHECK(json_line(text, "/d") == 6);
   CHECK(json_line(text, "/b/7") == 3);
+}
+
+TEST_CASE("two rig models are compared by what they simulate") {
+  rig::RigModel from;
+  rig::RigModel to;
+  CHECK(rig_model_changes(from, to).empty());
+  to.name = "other";
+  to.baseline.noise_dps = 0.1;
+  to.baseline.chamber.cycling_c = 0.0;
+  from.effects = {{"bias_jump", "step", {{"a", 0.1}, {"t0", 60.0}}}, {"saturation", "", {}}};
+  to.effects = {{"bias_jump", "step", {{"a", 0.2}, {"t0", 60.0}}},
+                {"aging_drift", "", {{"c", 2.0}}, {false, false, true}, {}}};
+  CHECK(rig_model_changes(from, to) ==
+        std::vector<RigModelChange>{{"baseline.chamber.cycling_c", "0.15", "0"},
+                                    {"baseline.noise_dps", "1.31", "0.1"},
+                                    {"effect bias_jump: a", "0.1", "0.2"},
+                                    {"effect saturation", "upper: hi = 6 dps", ""},
+                                    {"effect aging_drift", "", "linear: c = 2 mdps/h on z"}});
+  to = from;
+  to.effects[0] = {"bias_jump", "slide", {}};
+  REQUIRE(rig_model_changes(from, to).size() == 1);
+  CHECK(rig_model_changes(from, to)[0].after == "slide: a = 0.02 dps, t0 = 18000 s, d = 20 s");
 }

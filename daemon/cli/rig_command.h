@@ -1,0 +1,12 @@
+#pragma once
+
+#include "daemon/cli/command.h"
+
+namespace gyrocal::cli {
+
+/// The subcommands of `gyrocal rig`.
+void add_rig_diff(CLI::App& rig, Chosen& chosen);
+void add_rig_models(CLI::App& rig, Chosen& chosen);
+void add_rig_show(CLI::App& rig, Chosen& chosen);
+
+}  // namespace gyrocal::cli
