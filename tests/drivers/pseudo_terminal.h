@@ -23,6 +23,8 @@ class PseudoTerminal {
     std::array<char, 64> name;
     REQUIRE(ptsname_r(master_.get(), name.data(), name.size()) == 0);
     port = name.data();
+    keeps_open_ = UniqueFd{open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
+    REQUIRE(keeps_open_.is_open());
   }
 
   void send(const Bytes& bytes) {
@@ -45,6 +47,7 @@ class PseudoTerminal {
 
  private:
   UniqueFd master_;
+  UniqueFd keeps_open_;  ///< a port that nobody has open reads as gone on this end
 };
 
 }  // namespace gyrocal::test
