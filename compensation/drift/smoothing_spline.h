@@ -17,8 +17,8 @@ struct Spline {
 };
 
 /// Minimises sum w_i (y_i - f(x_i))^2 + lambda * integral f''^2 (Reinsch 1967). Without a lambda it
-/// is chosen by generalized cross-validation (trace weighed 1.4), whose trace comes from the central bands of the
-/// inverse (Hutchinson and de Hoog 1985): O(n) for each lambda tried.
+/// is chosen by generalized cross-validation (trace weighed 1.4), whose trace comes from the
+/// central bands of the inverse (Hutchinson and de Hoog 1985): O(n) for each lambda tried.
 /// @param x, y     n >= 4 values, finite, x strictly rising.
 /// @param weights  empty (all 1) or n positive values.
 /// @return too_few_points, not_finite.

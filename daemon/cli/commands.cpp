@@ -5,6 +5,8 @@ namespace gyrocal::cli {
 void add_all_commands(CLI::App& root, Chosen& chosen) {
   constexpr AddCommand all[] = {
       add_fit,
+      add_compensate,
+      add_firmware,
       add_paper,
       add_rig,
       add_version,

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "compensation/drift/analysis.h"
-#include "config/drift_model/model_json.h"
+#include "config/drift_model/model_file.h"
 #include "daemon/cli/command.h"
 #include "daemon/cli/drift_table_csv.h"
 #include "daemon/cli/outcome.h"
@@ -15,6 +15,7 @@ namespace {
 struct FitOptions {
   std::string table;
   int degree = improved_degree_paper;
+  SensorIdentity sensor;
   bool as_json = false;
 };
 
@@ -69,7 +70,9 @@ int fit(const FitOptions& options) {
     return report(error);
   }
   if (options.as_json) {
-    fmt::print("{}\n", analysis_to_json(*analysis).dump());
+    auto json = analysis_to_json(*analysis);
+    json["sensor"] = identity_to_json(options.sensor);
+    fmt::print("{}\n", json.dump());
   } else {
     print_analysis(*analysis);
   }
@@ -91,6 +94,11 @@ void add_fit(CLI::App& root, Chosen& chosen) {
   command->add_option("--degree", options->degree, "of the improved model's residual polynomial")
       ->check(CLI::Range(0, improved_degree_max))
       ->capture_default_str();
+  command->add_option("--board", options->sensor.board, "whose table it is, kept with the model");
+  command->add_option("--axis", options->sensor.axis, "x, y or z, kept with the model")
+      ->check(CLI::IsMember({"x", "y", "z"}));
+  command->add_option("--temperature-scale", options->sensor.temperature_scale,
+                      "the thermometer (board, chamber, ...), kept with the model");
   command->add_flag("--json", options->as_json, "print JSON");
   command->callback([options, &chosen] { chosen = [options] { return fit(*options); }; });
 }
