@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "compensation/values/error.h"
+
+namespace gyrocal {
+
+/// The Allan deviation at one averaging time.
+struct AllanPoint {
+  std::size_t averaged;  ///< samples averaged, m
+  double tau_s;          ///< m / sample rate
+  double deviation;      ///< in the unit of the rate
+  double deviation_low;  ///< 95 % confidence interval
+  double deviation_high;
+  double degrees_of_freedom;  ///< of the chi-squared distribution of deviation^2; not whole
+};
+
+/// Averaging factors 1, ..., floor(n / 2), `per_decade` to a decade where they differ.
+[[nodiscard]] std::vector<std::size_t> allan_factors(std::size_t samples, int per_decade);
+
+/// Overlapping Allan deviation of a rate sampled evenly:
+///   sigma^2(m) = sum_j (s(j+2m) - 2 s(j+m) + s(j))^2 / (2 m^2 (n - 2m + 1)),
+/// s the running sum of the rate. The degrees of freedom are those of the power law whose slope the
+/// deviation has at m: white rate noise, flicker or random walk.
+/// Source: Riley, NIST SP 1065, Eq. (11) and Table 5.
+/// @param rate  n values; n >= 2, finite. A hole in time would read as correlation: cut there.
+/// @param factors  each from 1 to n / 2, rising.
+/// @return a point each; too_few_points, not_finite, out_of_range. O(n) a point.
+[[nodiscard]] Result<std::vector<AllanPoint>> overlapping_allan(
+    std::span<const double> rate, double sample_rate_hz, std::span<const std::size_t> factors);
+
+}  // namespace gyrocal
