@@ -48,6 +48,11 @@ Step try_again(const Plan& plan, Visit visit, const std::string& why) {
   return go_to(plan, visit);
 }
 
+Action answer(const Fault& fault) {
+  if (fault.hands_off) return HoldRamp{};
+  return MakeSafe{};
+}
+
 /// States that are about a setpoint: what an operator may pause, skip and abort.
 template <class S>
 concept AtPoint = requires(const S& state) {
@@ -130,7 +135,7 @@ struct OnEvent {
 
   // A fault stops everything but what has ended.
   Step operator()(const Logging&, const Fault& e) const {
-    return {Safe{e.why}, {MakeSafe{}, RejectDwell{e.why}}};
+    return {Safe{e.why}, {answer(e), RejectDwell{e.why}}};
   }
   template <class S>
   Step operator()(const S& s, const Fault& e) const {
@@ -138,7 +143,7 @@ struct OnEvent {
                   std::is_same_v<S, Safe>) {
       return {s, {}};
     } else {
-      return {Safe{e.why}, {MakeSafe{}}};
+      return {Safe{e.why}, {answer(e)}};
     }
   }
 

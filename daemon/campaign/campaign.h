@@ -80,6 +80,7 @@ struct Analysed {
 };
 struct Fault {
   std::string why;
+  bool hands_off = false;  ///< somebody else commands the chamber: it is not written to any more
 };
 struct PauseAsked {};
 struct ResumeAsked {};
@@ -129,6 +130,10 @@ struct Step {
 
 /// The setpoint a state is about, if it is about one.
 [[nodiscard]] const Visit* visit_of(const State& state);
+
+/// Estimate of the time from now to the end if nothing is disturbed. `here` is how long the
+/// present state has lasted.
+[[nodiscard]] Duration time_left(const Plan& plan, const State& state, Celsius air, Duration here);
 
 /// Finished, Aborted or Safe: nothing follows.
 [[nodiscard]] bool ended(const State& state);

@@ -13,6 +13,9 @@ namespace {
 constexpr Kelvin restored_band{2};  ///< this close to the safe temperature a cabinet may be opened
 constexpr double dwell_time_factor = 2;  ///< of the time its samples take at the nominal rate
 
+constexpr Duration paused_for_max = std::chrono::hours{24};
+constexpr double shortest_ramp_s = 300;  ///< shorter ones say little about a chamber
+
 bool within(Celsius air, Celsius target, Kelvin band) {
   return std::abs((air - target).value) <= band.value;
 }
@@ -26,6 +29,7 @@ Conditions::Conditions(const Plan& plan, Duration unknown_after)
       boards_(plan.boards.size(), BoardState{BoardStability(plan.stability, unknown_after)}) {}
 
 void Conditions::entered(const State& state, Duration t) {
+  if (std::holds_alternative<Soaking>(state)) learn_from_ramp(t);
   since_ = t;
   air_then_ = air_;
   const Visit* visit = visit_of(state);
@@ -33,6 +37,13 @@ void Conditions::entered(const State& state, Duration t) {
   target_ = plan_.setpoints[visit->point];
   air_stability_.start(*target_);
   for (auto& board : boards_) board.stability.start();
+}
+
+void Conditions::learn_from_ramp(Duration t) {
+  if (!target_ || !air_then_) return;
+  const double expected_s = to_seconds(ramp_duration(plan_, *air_then_, *target_));
+  if (expected_s < shortest_ramp_s) return;
+  slowness_ = std::max(slowness_, to_seconds(t - since_) / expected_s);
 }
 
 void Conditions::air(Duration t, Celsius reading) {
@@ -58,6 +69,10 @@ std::optional<Event> Conditions::due(const State& state, Duration t) const {
                                [&](const Soaking&) { return while_soaking(t); },
                                [&](const Logging& s) { return while_logging(s.visit, t); },
                                [&](const Returning&) { return while_returning(t); },
+                               [&](const Paused&) -> std::optional<Event> {
+                                 if (t - since_ <= paused_for_max) return std::nullopt;
+                                 return Fault{"paused for more than a day"};
+                               },
                                [](const auto&) -> std::optional<Event> { return std::nullopt; }},
                     state);
 }
@@ -87,7 +102,7 @@ std::optional<std::string> Conditions::missing_board() const {
 
 Duration Conditions::ramp_bound(Celsius target) const {
   const Duration expected = ramp_duration(plan_, air_then_.value_or(target), target);
-  return seconds(to_seconds(expected) * plan_.limits.ramp_timeout_factor +
+  return seconds(to_seconds(expected) * slowness_ * plan_.limits.ramp_timeout_factor +
                  plan_.limits.ramp_timeout_extra_s);
 }
 

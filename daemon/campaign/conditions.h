@@ -48,6 +48,7 @@ class Conditions {
     bool frozen = false;
   };
 
+  void learn_from_ramp(Duration t);
   [[nodiscard]] bool timed(const BoardState& board) const;
   [[nodiscard]] bool boards_settled(Duration t) const;
   [[nodiscard]] std::optional<std::string> missing_board() const;
@@ -63,6 +64,7 @@ class Conditions {
   std::vector<BoardState> boards_;
   std::optional<Celsius> air_;
   std::optional<Celsius> target_;
+  double slowness_ = 1;              ///< of the slowest ramp so far, against the one asked for
   Duration since_{};                 ///< when the present state was entered
   std::optional<Celsius> air_then_;  ///< and how warm the air was
 };

@@ -1,5 +1,7 @@
-#include <cmath>
+#include <algorithm>
 
+#include "daemon/campaign/campaign.h"
+#include "daemon/campaign/overloaded.h"
 #include "daemon/campaign/plan.h"
 
 namespace gyrocal::campaign {
@@ -10,18 +12,29 @@ constexpr double bytes_per_sample = 32;
 constexpr double bytes_per_monitor_row = 110;
 constexpr double bytes_fixed = 1 << 20;
 
+Duration dwell_duration(const Plan& plan) {
+  return seconds(double(plan.samples_per_dwell) / plan.sample_rate_hz);
+}
+
+/// From air at `from` through the setpoints that follow `point`, and home.
+Duration after_point(const Plan& plan, std::size_t point, Celsius from) {
+  Duration total{};
+  for (std::size_t i = point; i < plan.setpoints.size(); ++i) {
+    total += ramp_duration(plan, from, plan.setpoints[i]) + stay_duration(plan);
+    from = plan.setpoints[i];
+  }
+  return total + ramp_duration(plan, from, plan.safe);
+}
+
 }  // namespace
 
+Duration stay_duration(const Plan& plan) {
+  return seconds(std::max(plan.stability.air_window_s, plan.stability.soak_s_min)) +
+         dwell_duration(plan);
+}
+
 Estimate estimate(const Plan& plan, Celsius start) {
-  const double dwell_s = double(plan.samples_per_dwell) / plan.sample_rate_hz;
-  const double settle_s = std::max(plan.stability.air_window_s, plan.stability.soak_s_min);
-  Duration total{};
-  Celsius from = start;
-  for (const Celsius to : plan.setpoints) {
-    total += ramp_duration(plan, from, to) + seconds(settle_s + dwell_s);
-    from = to;
-  }
-  total += ramp_duration(plan, from, plan.safe);
+  const Duration total = after_point(plan, 0, start);
   Estimate result;
   result.duration = total;
   result.samples = plan.setpoints.size() * plan.boards.size() *
@@ -32,6 +45,23 @@ Estimate estimate(const Plan& plan, Celsius start) {
       static_cast<std::uint64_t>(bytes_fixed + double(result.samples) * bytes_per_sample +
                                  double(result.monitor_rows) * bytes_per_monitor_row);
   return result;
+}
+
+Duration time_left(const Plan& plan, const State& state, Celsius air, Duration here) {
+  const auto staying = [&](const Visit& visit, Duration whole) {
+    const Celsius at = plan.setpoints[visit.point];
+    return std::max(whole - here, Duration{}) + after_point(plan, visit.point + 1, at);
+  };
+  return std::visit(
+      Overloaded{[&](const Preflight&) { return after_point(plan, 0, air); },
+                 [&](const Ramping& s) { return after_point(plan, s.visit.point, air); },
+                 [&](const Soaking& s) { return staying(s.visit, stay_duration(plan)); },
+                 [&](const Logging& s) { return staying(s.visit, dwell_duration(plan)); },
+                 [&](const Paused& s) { return after_point(plan, s.visit.point, air); },
+                 [&](const Holding& s) { return after_point(plan, s.visit.point, air); },
+                 [&](const Returning&) { return ramp_duration(plan, air, plan.safe); },
+                 [](const auto&) { return Duration{}; }},
+      state);
 }
 
 }  // namespace gyrocal::campaign

@@ -39,6 +39,9 @@ struct Plan {
 /// The time the software ramp needs between two temperatures.
 [[nodiscard]] Duration ramp_duration(const Plan& plan, Celsius from, Celsius to);
 
+/// One soak and one dwell, undisturbed.
+[[nodiscard]] Duration stay_duration(const Plan& plan);
+
 /// What a whole campaign takes, from air at `start`, if nothing is disturbed.
 struct Estimate {
   Duration duration{};

@@ -21,6 +21,7 @@ void add_firmware(CLI::App& root, Chosen& chosen);
 void add_fit(CLI::App& root, Chosen& chosen);
 void add_paper(CLI::App& root, Chosen& chosen);
 void add_rig(CLI::App& root, Chosen& chosen);
+void add_run(CLI::App& root, Chosen& chosen);
 void add_version(CLI::App& root, Chosen& chosen);
 
 }  // namespace gyrocal::cli

@@ -4,6 +4,7 @@ namespace gyrocal::cli {
 
 void add_all_commands(CLI::App& root, Chosen& chosen) {
   constexpr AddCommand all[] = {
+      add_run,
       add_fit,
       add_compensate,
       add_firmware,

@@ -122,6 +122,13 @@ TEST_CASE("a fault in any state but an ending makes the chamber safe", "[campaig
   }
 }
 
+TEST_CASE("somebody else's hand on the panel means hands off", "[campaign]") {
+  const Step next = step(plan, Soaking{{1}}, Fault{"the setpoint is not ours", true});
+  CHECK(std::holds_alternative<Safe>(next.next));
+  CHECK(count<MakeSafe>(next) == 0);
+  CHECK(count<HoldRamp>(next) == 1);
+}
+
 TEST_CASE("once safe, always safe", "[campaign][property]") {
   const auto seed = GENERATE(range(0u, 300u));
   CAPTURE(seed);

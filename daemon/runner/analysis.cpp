@@ -1,0 +1,200 @@
+#include "daemon/runner/analysis.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "compensation/drift/analysis.h"
+#include "compensation/drift/setpoint_means.h"
+#include "config/drift_model/model_json.h"
+#include "daemon/runner/sha256.h"
+
+namespace gyrocal::runner {
+namespace {
+
+constexpr double scale_factor_at_c = 20;
+
+struct Dwell {
+  AcceptedDwell row;
+  std::vector<BoardSample> samples;
+};
+
+struct Moments {
+  double mean;
+  double deviation;
+};
+
+Moments moments(std::span<const double> values) {
+  const double n = double(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double squares = 0;
+  for (const double v : values) squares += (v - mean) * (v - mean);
+  return {mean, values.size() > 1 ? std::sqrt(squares / (n - 1)) : 0};
+}
+
+void put(Sha256& hash, std::int64_t value) {
+  std::array<std::uint8_t, 8> bytes{};
+  for (std::size_t i = 0; i < 8; ++i) bytes[i] = static_cast<std::uint8_t>(value >> (8 * i));
+  hash.add(bytes);
+}
+
+/// Over counter, counts and temperature of every sample, dwell after dwell.
+std::string hash_of(std::span<const Dwell> dwells) {
+  Sha256 hash;
+  for (const Dwell& dwell : dwells) {
+    put(hash, static_cast<std::int64_t>(dwell.samples.size()));
+    for (const BoardSample& sample : dwell.samples) {
+      put(hash, sample.counter);
+      for (const std::int16_t lsb : sample.gyro_lsb) put(hash, lsb);
+      put(hash, sample.temperature_raw.value_or(INT16_MIN));
+    }
+  }
+  return hash.finish();
+}
+
+std::string settings_json(const AnalysisConfig& config) {
+  return nlohmann::ordered_json{{"wavelet", config.wavelet},
+                                {"mode", config.mode},
+                                {"level", config.level},
+                                {"rule", config.rule}}
+      .dump();
+}
+
+class BoardAnalysis {
+ public:
+  BoardAnalysis(BoardId id, BoardRow board, std::vector<Dwell> dwells)
+      : id_(id), board_(std::move(board)), dwells_(std::move(dwells)), hash_(hash_of(dwells_)) {}
+
+  [[nodiscard]] Result<void> axis(Axis axis, Denoiser& denoiser,
+                                  std::vector<DwellDriftInsert>& drifts,
+                                  std::vector<ModelInsert>& models) const {
+    DriftTable table;
+    Denoised filtered;
+    for (const Dwell& dwell : dwells_) {
+      const auto rates = rates_dps(dwell.samples, axis, board_, dwell.row.board_mean_c);
+      if (auto done = denoiser.run(rates, filtered); !done) return done;
+      const Moments before = moments(rates);
+      const Moments after = moments(filtered.denoised);
+      drifts.push_back({dwell.row.id, axis, before.mean, before.deviation, after.mean,
+                        after.deviation, missing});
+      table.temperature_c.push_back(dwell.row.setpoint.value);
+      table.zero_drift_dps.push_back(after.mean);
+    }
+    auto by_setpoint = setpoint_means(table);
+    if (!by_setpoint) return tl::unexpected(by_setpoint.error());
+    auto analysis = analyse(by_setpoint->table);
+    if (!analysis) return tl::unexpected(analysis.error());
+    for (std::size_t i = 0; i < analysis->models.size(); ++i) {
+      models.push_back(insert_of(analysis->models[i], axis));
+      if (analysis->recommended == i) {
+        models.back().recommended = true;
+        models.back().reason = analysis->reason;
+      }
+    }
+    return {};
+  }
+
+ private:
+  [[nodiscard]] ModelInsert insert_of(const FittedModel& model, Axis axis) const {
+    ModelInsert insert;
+    insert.board = id_;
+    insert.axis = axis;
+    insert.method = model.method;
+    insert.parameters_json = parameters_to_json(model.parameters).dump();
+    insert.rmse_dps = model.training.rmse_n;
+    insert.rmse_n_minus_1_dps = model.training.rmse_n_minus_1;
+    insert.mae_dps = model.training.mae;
+    insert.max_dps = model.training.max;
+    insert.loocv_rmse_dps = model.loocv_rmse_dps;
+    insert.dwells_sha256 = hash_;
+    for (const Dwell& dwell : dwells_) insert.dwells.push_back(dwell.row.id);
+    for (std::size_t i = 0; i < model.setpoint_c.size(); ++i) {
+      insert.points.push_back({model.setpoint_c[i], model.measured_dps[i], model.fitted_dps[i]});
+    }
+    return insert;
+  }
+
+  BoardId id_;
+  BoardRow board_;
+  std::vector<Dwell> dwells_;
+  std::string hash_;
+};
+
+Result<std::vector<Dwell>> read_dwells(const Store& store, CampaignId campaign, BoardId board) {
+  auto rows = store.accepted_dwells(campaign, board);
+  if (!rows) return tl::unexpected(rows.error());
+  std::vector<Dwell> dwells;
+  for (const AcceptedDwell& row : *rows) {
+    auto samples = store.samples(row.id);
+    if (!samples) return tl::unexpected(samples.error());
+    dwells.push_back({row, std::move(*samples)});
+  }
+  return dwells;
+}
+
+/// A board that cannot have a model does not keep the others from theirs.
+bool concerns_one_board(const Error& error) {
+  return error.code != Errc::storage && error.code != Errc::busy;
+}
+
+}  // namespace
+
+Result<DenoiseSettings> denoise_settings(const AnalysisConfig& config) {
+  auto bank = find_filter_bank(config.wavelet);
+  if (!bank) return tl::unexpected(bank.error());
+  auto boundary = find_boundary(config.mode);
+  if (!boundary) return tl::unexpected(boundary.error());
+  auto rule = find_denoise_rule(config.rule);
+  if (!rule) return tl::unexpected(rule.error());
+  return DenoiseSettings{Wavelet{*bank, *boundary, config.level}, *rule, NoiseEstimate::global};
+}
+
+std::vector<double> rates_dps(std::span<const BoardSample> samples, Axis axis,
+                              const BoardRow& board, double dwell_board_c) {
+  const auto a = static_cast<std::size_t>(axis);
+  const double otherwise_c = std::isnan(dwell_board_c) ? scale_factor_at_c : dwell_board_c;
+  std::vector<double> rates;
+  rates.reserve(samples.size());
+  for (const BoardSample& sample : samples) {
+    const double board_c = sample.temperature_raw ? *sample.temperature_raw / 256.0 : otherwise_c;
+    const double lsb_per_dps =
+        board.lsb_per_dps[a] + board.lsb_per_dps_per_k[a] * (board_c - scale_factor_at_c);
+    rates.push_back(sample.gyro_lsb[a] / lsb_per_dps);
+  }
+  return rates;
+}
+
+Result<void> analyse_campaign(Store& store, CampaignId campaign, const CampaignConfig& config,
+                              const std::string& software_version) {
+  auto settings = denoise_settings(config.analysis);
+  if (!settings) return tl::unexpected(settings.error());
+  Denoiser denoiser(*settings);
+  auto boards = store.boards(campaign);
+  if (!boards) return tl::unexpected(boards.error());
+  std::vector<DwellDriftInsert> drifts;
+  std::vector<ModelInsert> models;
+  std::optional<Error> trouble;
+  for (const auto& [id, board] : *boards) {
+    auto dwells = read_dwells(store, campaign, id);
+    if (!dwells) return tl::unexpected(dwells.error());
+    const BoardAnalysis analysis(id, board, std::move(*dwells));
+    for (const Axis axis : all_axes) {
+      auto done = analysis.axis(axis, denoiser, drifts, models);
+      if (!done && !concerns_one_board(done.error())) return done;
+      if (!done)
+        trouble = Error{
+            done.error().code,
+            fmt::format("board '{}', axis {}: {}", board.name, letter(axis), done.error().what),
+            done.error().advice};
+    }
+  }
+  auto stored = store.add_analysis(campaign, {settings_json(config.analysis), software_version},
+                                   drifts, models);
+  if (!stored) return stored;
+  if (trouble) return tl::unexpected(*trouble);
+  return {};
+}
+
+}  // namespace gyrocal::runner

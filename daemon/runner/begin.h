@@ -1,0 +1,20 @@
+#pragma once
+
+#include "daemon/runner/campaign_loop.h"
+
+namespace gyrocal::runner {
+
+/// The rows a new campaign starts from.
+[[nodiscard]] Result<CampaignLoop::Begin> begin_new(const CampaignConfig& config,
+                                                    const Found& found, const Clock& clock,
+                                                    Store& store,
+                                                    const std::string& software_version);
+
+/// Goes on with a campaign that has not ended: accepted dwells stay, the first setpoint that lacks
+/// one is next. Campaign time goes on from its start by UTC, and never backwards.
+/// @return mismatch if the campaign file has changed or another board stands where one was.
+[[nodiscard]] Result<CampaignLoop::Begin> begin_again(const CampaignConfig& config,
+                                                      const Found& found, const Clock& clock,
+                                                      const OpenCampaign& open);
+
+}  // namespace gyrocal::runner

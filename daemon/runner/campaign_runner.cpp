@@ -1,0 +1,50 @@
+#include "daemon/runner/campaign_runner.h"
+
+#include <fmt/core.h>
+
+#include "daemon/runner/analysis.h"
+#include "daemon/runner/begin.h"
+
+namespace gyrocal::runner {
+namespace {
+
+/// Whether what the database holds lets this campaign run, and as what.
+Result<std::optional<OpenCampaign>> what_stands(const Store& store, const RunOptions& options) {
+  auto open = store.open_campaign();
+  if (!open || !*open) return open;
+  const CampaignRow& row = (*open)->campaign;
+  if (!options.resume) {
+    return fail(Errc::busy,
+                fmt::format("the database holds campaign '{}', which has not ended ({})", row.name,
+                            row.state),
+                "go on with it by --resume, or take another database by --db");
+  }
+  if (row.state == campaign::name(campaign::Safe{}) && !options.rearm) {
+    return fail(
+        Errc::refused,
+        fmt::format("campaign '{}' has tripped and waits in its safe state for a person", row.name),
+        "look at its events and at the chamber; then 'gyrocal run --resume' re-arms it");
+  }
+  return open;
+}
+
+}  // namespace
+
+Result<Outcome> run_campaign(const CampaignConfig& config, Devices devices, Store& store,
+                             const RunOptions& options, const RunHooks& hooks) {
+  auto plan = campaign::make_plan(config);
+  if (!plan) return tl::unexpected(plan.error());
+  if (auto filter = denoise_settings(config.analysis); !filter) {
+    return tl::unexpected(filter.error());  // found out now, not after fifteen hours
+  }
+  auto open = what_stands(store, options);
+  if (!open) return tl::unexpected(open.error());
+  auto found = preflight(config, devices, options.patience);
+  if (!found) return tl::unexpected(found.error());
+  auto begin = *open ? begin_again(config, *found, devices.clock, **open)
+                     : begin_new(config, *found, devices.clock, store, options.software_version);
+  if (!begin) return tl::unexpected(begin.error());
+  return CampaignLoop(config, *plan, devices, *found, store, options, hooks, *begin).run();
+}
+
+}  // namespace gyrocal::runner

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "config/campaign.h"
+#include "daemon/campaign/campaign.h"
+#include "daemon/runner/journal.h"
+#include "daemon/runner/preflight.h"
+#include "schema/store.h"
+
+namespace gyrocal::runner {
+
+/// Where a campaign stands, for a progress line, a status command, a watchdog.
+struct Snapshot {
+  Duration t{};       ///< campaign time
+  std::string state;  ///< name of the state
+  std::string text;   ///< describe(state)
+  std::size_t setpoints = 0;
+  std::size_t setpoints_done = 0;
+  std::optional<Celsius> air;
+  std::optional<Celsius> setpoint;    ///< what the chamber says it controls to
+  std::optional<double> dwell_share;  ///< of the samples of the running dwell
+  Duration left{};                    ///< estimate to the end
+  Duration chamber_age{};             ///< since the last believed reading
+  int boards_present = 0;
+  int boards = 0;
+};
+
+/// What the runner is told and whom it tells; everything may be left empty.
+struct RunHooks {
+  std::function<bool()> stop_asked;                              ///< SIGTERM, SIGINT
+  std::function<std::optional<campaign::Event>()> next_command;  ///< an operator's
+  std::function<void(const Snapshot&)> progress;                 ///< every turn of the loop
+  LogLine log;
+};
+
+struct RunOptions {
+  std::string software_version;
+  Duration tick{};         ///< how often the loop turns
+  Duration patience{};     ///< for a board's first frame
+  Duration stop_within{};  ///< to get the safe setpoint confirmed after stop_asked
+  std::size_t monitor_rows_per_write = 24;
+  bool resume = false;  ///< go on with the database's campaign if it has not ended
+  bool rearm = false;   ///< even if it has tripped: a person has looked
+};
+
+struct Outcome {
+  CampaignId campaign{};
+  campaign::State state;
+  bool stopped = false;  ///< by stop_asked: not ended, can be resumed
+};
+
+/// Runs a whole campaign, from preflight to stored models, in this thread: drain the boards, poll
+/// the chamber, feed the state machine, act, store, sleep. Nothing is written to the chamber before
+/// preflight has passed, nor to the database.
+/// @return how it ended. busy: the database holds a campaign that has not ended, and resume is not
+///   asked for; refused: that campaign has tripped, and nobody re-arms it. Any other error means
+///   that it did not begin (preflight), or that the database failed on the way: then the chamber
+///   has been sent to its safe setpoint.
+[[nodiscard]] Result<Outcome> run_campaign(const CampaignConfig& config, Devices devices,
+                                           Store& store, const RunOptions& options,
+                                           const RunHooks& hooks);
+
+}  // namespace gyrocal::runner

@@ -1,0 +1,43 @@
+#include "daemon/runner/journal.h"
+
+#include <utility>
+
+namespace gyrocal::runner {
+
+Journal::Journal(Store& store, CampaignId campaign, const Clock& clock, LogLine log,
+                 std::size_t rows_per_write)
+    : store_(store),
+      campaign_(campaign),
+      clock_(clock),
+      log_(std::move(log)),
+      rows_per_write_(rows_per_write) {}
+
+Result<void> Journal::event(Duration t, const std::string& severity, const std::string& kind,
+                            const std::string& text) {
+  const EventInsert row{t.count(), clock_.utc_ns(), severity, kind, text};
+  log_(row);
+  return store_.add_event(campaign_, row);
+}
+
+Result<void> Journal::transition(Duration t, const std::string& state, const std::string& text) {
+  if (auto stored = event(t, "info", "transition", text); !stored) return stored;
+  return store_.set_campaign_state(campaign_, state);
+}
+
+Result<void> Journal::monitor(const MonitorInsert& row) {
+  pending_.push_back(row);
+  return pending_.size() < rows_per_write_ ? Result<void>{} : flush();
+}
+
+Result<void> Journal::flush() {
+  if (pending_.empty()) return {};
+  auto stored = store_.add_monitor(campaign_, pending_);
+  if (stored) pending_.clear();
+  return stored;
+}
+
+Result<std::vector<DwellId>> Journal::group(std::span<const DwellWithSamples> dwells) {
+  return store_.add_group(campaign_, dwells);
+}
+
+}  // namespace gyrocal::runner

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "drivers/clock.h"
+#include "schema/store.h"
+
+namespace gyrocal::runner {
+
+/// Shows a person what is written into the database as an event.
+using LogLine = std::function<void(const EventInsert& event)>;
+
+/// A campaign's writes: events at once, the slow stream in batches. Errors are the store's.
+class Journal {
+ public:
+  /// @param rows_per_write  of the slow stream: what a crash may cost against what a commit does.
+  Journal(Store& store, CampaignId campaign, const Clock& clock, LogLine log,
+          std::size_t rows_per_write);
+
+  [[nodiscard]] Result<void> event(Duration t, const std::string& severity, const std::string& kind,
+                                   const std::string& text);
+  /// The state machine is in another state: an event row and the campaign's state.
+  [[nodiscard]] Result<void> transition(Duration t, const std::string& state,
+                                        const std::string& text);
+  [[nodiscard]] Result<void> monitor(const MonitorInsert& row);
+  [[nodiscard]] Result<void> flush();
+  [[nodiscard]] Result<std::vector<DwellId>> group(std::span<const DwellWithSamples> dwells);
+
+ private:
+  Store& store_;
+  CampaignId campaign_;
+  const Clock& clock_;
+  LogLine log_;
+  std::size_t rows_per_write_;
+  std::vector<MonitorInsert> pending_;
+};
+
+}  // namespace gyrocal::runner
