@@ -111,6 +111,12 @@ struct CampaignConfig {
 [[nodiscard]] Result<CampaignConfig> parse_campaign(const std::string& text,
                                                     const std::string& path);
 
+/// The file a profile's name stands for, "yinhe": in the campaign's folder first, so that a site
+/// can keep its own, then among the site's, the installed and the source tree's. A path stands for
+/// itself, from the campaign's folder.
+[[nodiscard]] std::optional<std::string> find_chamber_profile(const std::string& profile,
+                                                              const std::string& campaign_folder);
+
 /// Plan and limits met: plan ∩ boards ∩ chamber; what the setpoint is clamped to.
 struct SetpointRange {
   Celsius min;

@@ -41,9 +41,11 @@ RtuAddress read_rtu(TomlSection& table) {
   return address;
 }
 
-/// The file a profile's name stands for: beside the campaign first, so that a site can keep its
-/// own.
-std::optional<std::string> find_profile(const std::string& profile, const fs::path& folder) {
+}  // namespace
+
+std::optional<std::string> find_chamber_profile(const std::string& profile,
+                                                const std::string& campaign_folder) {
+  const fs::path folder(campaign_folder);
   if (profile.find('/') != std::string::npos || profile.ends_with(".toml")) {
     return (folder / profile).lexically_normal().string();
   }
@@ -56,8 +58,6 @@ std::optional<std::string> find_profile(const std::string& profile, const fs::pa
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 std::optional<Error> read_chamber(TomlSection& table, const std::string& path,
                                   ChamberConfig& into) {
@@ -76,7 +76,7 @@ std::optional<Error> read_chamber(TomlSection& table, const std::string& path,
 
   const auto profile = table.required_text("profile", "a chamber profile, \"yinhe\"");
   const fs::path folder = fs::path(path).parent_path();
-  const auto file = find_profile(profile, folder);
+  const auto file = find_chamber_profile(profile, folder.string());
   if (profile.empty()) return std::nullopt;
   if (!file) {
     table.expected("profile", Errc::unknown_name,
