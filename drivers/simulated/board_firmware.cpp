@@ -102,7 +102,7 @@ BoardFirmware::Answer BoardFirmware::tell(Id id) const {
   constexpr std::array<std::uint8_t, 1> zero{0};
   switch (id) {
     case Id::mcu_id:
-      return acked(id, mcu_id_);
+      return acked(id, Bytes(mcu_id_.rbegin(), mcu_id_.rend()));
     case Id::firmware_version:
       return acked_text(id, "iNEMO Firmware_Version_2.2");
     case Id::hardware_version:

@@ -10,7 +10,7 @@
 
 namespace gyrocal {
 
-/// The 12 bytes of the STM32's unique id, in the order command 12 sends them.
+/// The 12 bytes of the STM32's unique id, as the chip has them; command 12 sends them backwards.
 using McuId = std::array<std::uint8_t, 12>;
 
 /// The command set of iNEMO V2 firmware 2.2 as a pure machine: one USB packet in, its reply out,

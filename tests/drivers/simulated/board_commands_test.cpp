@@ -32,7 +32,7 @@ TEST_CASE("after Disconnect commands are refused again", "[simulated][board]") {
 TEST_CASE("a board tells who it is", "[simulated][board]") {
   Connected board;
   CHECK(board.say("20 01 10") == "80 02 10 00");
-  CHECK(board.say("20 01 12") == "80 0d 12 30 ff d8 05 47 52 32 37 51 16 00 00");
+  CHECK(board.say("20 01 12") == "80 0d 12 00 00 16 51 37 32 52 47 05 d8 ff 30");
   CHECK(board.say("20 01 13") ==
         "80 1b 13 69 4e 45 4d 4f 20 46 69 72 6d 77 61 72 65 5f 56 65 72 73 69 6f 6e 5f 32 2e 32");
   CHECK(board.say("20 01 14") ==

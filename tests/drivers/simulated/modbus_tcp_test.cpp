@@ -1,11 +1,9 @@
 #include <arpa/inet.h>
 #include <modbus.h>
 #include <netinet/in.h>
-#include <sys/eventfd.h>
 #include <sys/socket.h>
 
-#include <thread>
-
+#include "tests/drivers/simulated/running_rig.h"
 #include "tests/drivers/simulated/served_rig.h"
 
 using namespace gyrocal;
@@ -37,37 +35,6 @@ class BareClient {
 
  private:
   UniqueFd fd_;
-};
-
-/// libmodbus on the other side, and the rig in a thread.
-class RunningRig {
- public:
-  RunningRig()
-      : rig_({}, 1, 0, yinhe_profile(), 1),
-        stop_(::eventfd(0, EFD_CLOEXEC)),
-        server_(RigServer::open(rig_, clock_, {}, 1.0)) {
-    REQUIRE(server_.has_value());
-    thread_ = std::thread([this] { ended_well_ = server_->run(stop_.get()).has_value(); });
-  }
-  ~RunningRig() { end(); }
-  RunningRig(const RunningRig&) = delete;
-  RunningRig& operator=(const RunningRig&) = delete;
-  [[nodiscard]] int port() const { return server_->port(); }
-  bool end() {
-    if (thread_.joinable()) {
-      ::eventfd_write(stop_.get(), 1);
-      thread_.join();
-    }
-    return ended_well_;
-  }
-
- private:
-  ScaledClock clock_;
-  SimulatedRig rig_;
-  UniqueFd stop_;
-  Result<RigServer> server_;
-  bool ended_well_ = false;
-  std::thread thread_;
 };
 
 struct ModbusClient {
