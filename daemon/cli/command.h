@@ -18,10 +18,13 @@ void add_all_commands(CLI::App& root, Chosen& chosen);
 
 void add_compensate(CLI::App& root, Chosen& chosen);
 void add_firmware(CLI::App& root, Chosen& chosen);
+void add_check(CLI::App& root, Chosen& chosen);
 void add_fit(CLI::App& root, Chosen& chosen);
+void add_make_safe(CLI::App& root, Chosen& chosen);
 void add_paper(CLI::App& root, Chosen& chosen);
 void add_rig(CLI::App& root, Chosen& chosen);
 void add_run(CLI::App& root, Chosen& chosen);
+void add_status(CLI::App& root, Chosen& chosen);  ///< and pause, resume, skip, abort
 void add_version(CLI::App& root, Chosen& chosen);
 
 }  // namespace gyrocal::cli

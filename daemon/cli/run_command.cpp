@@ -45,7 +45,6 @@ int run(const Options& options) {
   request.campaign_path = options.campaign;
   if (!options.database.empty()) request.database = options.database;
   request.resume = options.resume;
-  request.rearm = options.resume;
   if (options.in_virtual_time) request.virtual_seed = options.seed;
   request.software_version = GYROCAL_VERSION;
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "compensation/drift/analysis.h"
+#include "compensation/drift/mean_error.h"
 #include "compensation/drift/setpoint_means.h"
 #include "config/drift_model/model_json.h"
 #include "daemon/runner/sha256.h"
@@ -64,27 +65,39 @@ std::string settings_json(const AnalysisConfig& config) {
 
 class BoardAnalysis {
  public:
-  BoardAnalysis(BoardId id, BoardRow board, std::vector<Dwell> dwells)
-      : id_(id), board_(std::move(board)), dwells_(std::move(dwells)), hash_(hash_of(dwells_)) {}
+  BoardAnalysis(BoardId id, BoardRow board, double sample_rate_hz, std::vector<Dwell> dwells)
+      : id_(id),
+        board_(std::move(board)),
+        sample_rate_hz_(sample_rate_hz),
+        dwells_(std::move(dwells)),
+        hash_(hash_of(dwells_)) {}
 
   [[nodiscard]] Result<void> axis(Axis axis, Denoiser& denoiser,
                                   std::vector<DwellDriftInsert>& drifts,
                                   std::vector<ModelInsert>& models) const {
     DriftTable table;
+    std::vector<double> errors_dps;  ///< as many as the table, or none: a dwell has no known error
+    bool errors_known = true;
     Denoised filtered;
     for (const Dwell& dwell : dwells_) {
       const auto rates = rates_dps(dwell.samples, axis, board_, dwell.row.board_mean_c);
       if (auto done = denoiser.run(rates, filtered); !done) return done;
       const Moments before = moments(rates);
       const Moments after = moments(filtered.denoised);
+      const auto error = standard_error_of_mean(rates, sample_rate_hz_);
       drifts.push_back({dwell.row.id, axis, before.mean, before.deviation, after.mean,
-                        after.deviation, missing});
+                        after.deviation, error.value_or(missing)});
+      errors_known = errors_known && error.value_or(0) > 0;
+      errors_dps.push_back(error.value_or(missing));
       table.temperature_c.push_back(dwell.row.setpoint.value);
       table.zero_drift_dps.push_back(after.mean);
     }
-    auto by_setpoint = setpoint_means(table);
+    if (!errors_known) errors_dps.clear();
+    auto by_setpoint = setpoint_means(table, errors_dps);
     if (!by_setpoint) return tl::unexpected(by_setpoint.error());
-    auto analysis = analyse(by_setpoint->table);
+    AnalysisOptions options;
+    options.standard_error_dps = by_setpoint->standard_error_dps;
+    auto analysis = analyse(by_setpoint->table, options);
     if (!analysis) return tl::unexpected(analysis.error());
     for (std::size_t i = 0; i < analysis->models.size(); ++i) {
       models.push_back(insert_of(analysis->models[i], axis));
@@ -118,6 +131,7 @@ class BoardAnalysis {
 
   BoardId id_;
   BoardRow board_;
+  double sample_rate_hz_;
   std::vector<Dwell> dwells_;
   std::string hash_;
 };
@@ -179,7 +193,7 @@ Result<void> analyse_campaign(Store& store, CampaignId campaign, const CampaignC
   for (const auto& [id, board] : *boards) {
     auto dwells = read_dwells(store, campaign, id);
     if (!dwells) return tl::unexpected(dwells.error());
-    const BoardAnalysis analysis(id, board, std::move(*dwells));
+    const BoardAnalysis analysis(id, board, config.plan.sample_rate_hz, std::move(*dwells));
     for (const Axis axis : all_axes) {
       auto done = analysis.axis(axis, denoiser, drifts, models);
       if (!done && !concerns_one_board(done.error())) return done;

@@ -3,6 +3,12 @@
 #include <fmt/core.h>
 
 namespace gyrocal::runner {
+namespace {
+
+constexpr BoardMode slow_mode{1, false, true};  ///< the sensor converts in 150 ms
+constexpr Duration slow_frame_within = std::chrono::seconds{4};
+
+}  // namespace
 
 BoardPort::BoardPort(Board& board, BoardIdentity identity, BoardMode mode, Duration stale_after,
                      Duration t)
@@ -48,6 +54,36 @@ void BoardPort::try_again(Duration t) {
   present_ = true;
   away_since_.reset();
   last_frame_ = t;
+}
+
+Result<void> BoardPort::stream(const BoardMode& mode) {
+  if (auto identity = board_.open(mode); !identity) return tl::unexpected(identity.error());
+  return board_.start();
+}
+
+Result<Celsius> BoardPort::first_temperature(Clock& clock) {
+  std::vector<BoardSample> samples;
+  const Instant deadline = clock.now() + slow_frame_within;
+  while (clock.now() < deadline) {
+    if (auto drained = board_.drain(samples); !drained) return tl::unexpected(drained.error());
+    for (const BoardSample& sample : samples) {
+      if (sample.temperature_raw) return Celsius{*sample.temperature_raw / 256.0};
+    }
+    clock.sleep_until(clock.now() + slow_frame_within / 20);
+  }
+  return fail(Errc::timeout, "no frame at 1 Hz");
+}
+
+std::optional<Celsius> BoardPort::read_temperature(Duration t, Clock& clock) {
+  if (!present_) return std::nullopt;
+  mode_.temperature = false;
+  auto slow = stream(slow_mode);
+  auto read = slow ? first_temperature(clock) : tl::unexpected(slow.error());
+  const auto fast = stream(mode_);
+  last_frame_ = t + 2 * slow_frame_within;
+  if (fast && read) return *read;
+  lost(t, to_text(fast ? read.error() : fast.error()));
+  return std::nullopt;
 }
 
 }  // namespace gyrocal::runner

@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "compensation/values/units.h"
 #include "daemon/runner/back_off.h"
 #include "drivers/board/board.h"
+#include "drivers/clock.h"
 
 namespace gyrocal::runner {
 
@@ -21,6 +23,10 @@ class BoardPort {
   /// take seconds.
   void poll(Duration t, std::vector<BoardSample>& into);
   void stop();
+  /// For a board whose temperature register stands still at the sampling rate: breaks the stream
+  /// off, reads it at 1 Hz, and streams again without it. Takes a few seconds.
+  /// @return nothing if the board did not go along; it is away then.
+  [[nodiscard]] std::optional<Celsius> read_temperature(Duration t, Clock& clock);
 
   [[nodiscard]] bool present() const { return present_; }
   /// Since when it has been away; nothing while it is present.
@@ -32,6 +38,8 @@ class BoardPort {
  private:
   void lost(Duration t, const std::string& why);
   void try_again(Duration t);
+  [[nodiscard]] Result<void> stream(const BoardMode& mode);
+  [[nodiscard]] Result<Celsius> first_temperature(Clock& clock);
 
   Board& board_;
   BoardMode mode_;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 #include "compensation/values/assert.h"
 #include "daemon/campaign/overloaded.h"
@@ -16,6 +18,8 @@ using campaign::Presence;
 
 constexpr Duration monitor_interval = seconds(campaign::monitor_interval_s);
 constexpr int polls_before_unknown = 3;
+constexpr Duration doubt_told_every = std::chrono::minutes{10};
+constexpr double machine_look_every_utc_s = 60;
 /// Between readings this far apart the air of a cabinet still goes in a straight line.
 constexpr Duration air_is_straight_over = std::chrono::seconds{60};
 
@@ -41,7 +45,8 @@ CampaignLoop::CampaignLoop(const CampaignConfig& config, const campaign::Plan& p
       track_(std::max(unknown_after(plan, options.tick), air_is_straight_over)),
       conditions_(plan, unknown_after(plan, options.tick)),
       supervisor_(plan.allowed),
-      collector_(plan.samples_per_dwell, plan.limits.frames_lost_share_max) {
+      collector_(plan.samples_per_dwell, plan.limits.frames_lost_share_max),
+      machine_(options.utc_rate) {
   conditions_.air(begin_.t, found.chamber.actual);
   const BoardMode mode{plan.sample_rate_hz, false, true};
   for (std::size_t i = 0; i < begin_.boards.size(); ++i) {
@@ -86,6 +91,7 @@ Result<void> CampaignLoop::turn() {
   if (done) done = judge();
   if (done) done = drive_chamber();
   if (done) done = write_slow_stream();
+  if (done) done = watch_machine();
   if (!done) return done;
   if (hooks_.progress) hooks_.progress(snapshot());
   if (!campaign::ended(state_)) devices_.clock.sleep_until(began + options_.tick);
@@ -135,17 +141,54 @@ Result<void> CampaignLoop::read_chamber() {
   if (!chamber_.due(t)) return {};
   if (const auto reading = chamber_.poll(t)) {
     conditions_.air(t, reading->actual);
+    for (auto& board : boards_) board.freeze.air(reading->actual);
     track_.observe(t, reading->actual, reading->setpoint);
     if (const auto trip = supervisor_.look(t, *reading, chamber_.commanded())) {
       if (auto fed = feed(campaign::Fault{trip->why, trip->hands_off}); !fed) return fed;
     }
   }
+  if (auto noted = note_doubt(); !noted) return noted;
   if (chamber_.away() == chamber_was_away_) return {};
   chamber_was_away_ = chamber_.away();
   if (!chamber_was_away_) {
     return journal_.event(t, "info", "chamber_back", "the chamber answers again");
   }
   return journal_.event(t, "warning", "chamber_lost", chamber_.trouble());
+}
+
+Result<void> CampaignLoop::note_doubt() {
+  const int doubtful = chamber_.doubtful_readings();
+  if (doubtful == doubtful_told_) return {};
+  const Duration t = now();
+  const bool told_lately = doubt_told_ != Duration::min() && t - doubt_told_ < doubt_told_every;
+  if (told_lately) return {};
+  const int more = doubtful - std::exchange(doubtful_told_, doubtful);
+  doubt_told_ = t;
+  return journal_.event(t, "warning", "doubtful_reading",
+                        fmt::format("{} readings of the chamber that none can have meant (a lone "
+                                    "0.0, a jump over 20 K) were left out",
+                                    more));
+}
+
+Result<void> CampaignLoop::watch_machine() {
+  const Duration t = now();
+  if (t < next_machine_look_) return {};
+  next_machine_look_ = t + seconds(machine_look_every_utc_s * options_.utc_rate);
+  std::error_code unknown;
+  const auto folder = std::filesystem::absolute(options_.database).parent_path();
+  const auto space = std::filesystem::space(folder, unknown);
+  const auto free = unknown ? UINTMAX_MAX : space.available;
+  for (const auto& notice : machine_.look(t, devices_.clock.utc_ns(), free)) {
+    if (auto done = journal_.event(t, notice.severity, notice.kind, notice.text); !done)
+      return done;
+    if (notice.slept) {
+      if (auto done = feed(campaign::DwellDisturbed{notice.text}); !done) return done;
+    }
+    if (notice.disk_full) {
+      if (auto done = feed(campaign::Fault{notice.text}); !done) return done;
+    }
+  }
+  return {};
 }
 
 Result<void> CampaignLoop::drive_chamber() {
@@ -245,6 +288,7 @@ Result<void> CampaignLoop::act(const campaign::Action& action) {
 
 void CampaignLoop::begin_dwell(const campaign::Visit& visit) {
   dwell_visit_ = visit;
+  read_frozen_temperatures();
   std::vector<std::size_t> wanted;
   for (std::size_t i = 0; i < boards_.size(); ++i) {
     if (boards_[i].presence == Presence::expected && !begin_.accepted[visit.point][i]) {
@@ -268,7 +312,8 @@ DwellRow CampaignLoop::row_of(const CollectedDwell& dwell) const {
   const Duration to{row.t_end_ns};
   row.chamber_mean_c = track_.mean(from, to).value_or(Celsius{missing}).value;
   row.chamber_peak_to_peak_k = track_.peak_to_peak(from, to).value_or(Kelvin{missing}).value;
-  row.board_mean_c = dwell.board_mean_c;
+  row.board_mean_c =
+      std::isnan(dwell.board_mean_c) ? boards_[dwell.board].break_c : dwell.board_mean_c;
   row.frames_missing = dwell.frames_missing;
   row.reject_reason = dwell.reject_reason;
   return row;

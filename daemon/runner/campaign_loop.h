@@ -4,12 +4,14 @@
 #include <vector>
 
 #include "daemon/campaign/conditions.h"
+#include "daemon/campaign/sensor_freeze.h"
 #include "daemon/campaign/supervisor.h"
 #include "daemon/runner/board_port.h"
 #include "daemon/runner/campaign_runner.h"
 #include "daemon/runner/chamber_port.h"
 #include "daemon/runner/chamber_track.h"
 #include "daemon/runner/dwell_collector.h"
+#include "daemon/runner/machine_watch.h"
 #include "daemon/runner/slow_stream.h"
 
 namespace gyrocal::runner {
@@ -41,6 +43,9 @@ class CampaignLoop {
     SlowStream slow;
     campaign::Presence presence = campaign::Presence::expected;
     std::vector<SlowInterval> waiting{};  ///< closed, not yet merged with the chamber's readings
+    campaign::SensorFreeze freeze{};
+    bool frozen = false;  ///< its temperature is read in breaks, not in the stream
+    double break_c = missing;
   };
 
   [[nodiscard]] Duration now() const { return devices_.clock.now() - begin_.origin; }
@@ -50,10 +55,14 @@ class CampaignLoop {
   [[nodiscard]] Result<void> read_boards();
   [[nodiscard]] Result<void> note_presence(std::size_t board);
   [[nodiscard]] Result<void> read_chamber();
+  [[nodiscard]] Result<void> note_doubt();
   [[nodiscard]] Result<void> drive_chamber();
+  [[nodiscard]] Result<void> watch_machine();
   [[nodiscard]] Result<void> judge();
   [[nodiscard]] Result<void> write_slow_stream();
-  void take_intervals(std::size_t board);
+  [[nodiscard]] Result<void> take_intervals(std::size_t board);
+  [[nodiscard]] Result<void> note_freeze(std::size_t board);
+  void read_frozen_temperatures();
   [[nodiscard]] Result<void> write_interval(const BoardSide& side, const SlowInterval& interval);
 
   // What follows from an event.
@@ -91,6 +100,10 @@ class CampaignLoop {
   campaign::State state_ = campaign::Preflight{};
   Duration entered_{};  ///< when state_ began
   bool chamber_was_away_ = false;
+  int doubtful_told_ = 0;
+  Duration doubt_told_ = Duration::min();
+  MachineWatch machine_;
+  Duration next_machine_look_ = Duration::min();
   std::vector<BoardSample> fresh_;
 };
 

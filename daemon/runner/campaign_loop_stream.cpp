@@ -14,16 +14,38 @@ constexpr Duration track_kept = std::chrono::minutes{10};
 
 }  // namespace
 
-void CampaignLoop::take_intervals(std::size_t board) {
+Result<void> CampaignLoop::note_freeze(std::size_t board) {
+  BoardSide& side = boards_[board];
+  if (side.frozen || !side.freeze.frozen()) return {};
+  side.frozen = true;
+  conditions_.sensor_frozen(board, true);
+  return journal_.event(
+      now(), "warning", "sensor_frozen",
+      "board " + plan_.boards[board] +
+          ": its temperature stands still while the air moves; it is read at 1 Hz "
+          "in breaks before dwells from now on, and soaks are timed");
+}
+
+void CampaignLoop::read_frozen_temperatures() {
+  for (auto& side : boards_) {
+    if (!side.frozen) continue;
+    const auto read = side.port.read_temperature(now(), devices_.clock);
+    side.break_c = read.value_or(Celsius{missing}).value;
+  }
+}
+
+Result<void> CampaignLoop::take_intervals(std::size_t board) {
   BoardSide& side = boards_[board];
   side.slow.close_before(now() - std::max(frames_are_late_by, 2 * options_.tick));
   for (auto& interval : side.slow.take()) {
     if (interval.temperatures > 0) {
       conditions_.board_temperature(board, interval.begin + monitor_interval,
                                     Celsius{interval.board_c()});
+      side.freeze.board(Celsius{interval.board_c()});
     }
     side.waiting.push_back(interval);
   }
+  return note_freeze(board);
 }
 
 Result<void> CampaignLoop::write_slow_stream() {
@@ -31,7 +53,7 @@ Result<void> CampaignLoop::write_slow_stream() {
   const Duration known = track_.latest().value_or(begin_.t);
   const Duration given_up = t - 2 * std::max(plan_.poll_interval, options_.tick);
   for (std::size_t i = 0; i < boards_.size(); ++i) {
-    take_intervals(i);
+    if (auto taken = take_intervals(i); !taken) return taken;
     auto& waiting = boards_[i].waiting;
     std::size_t written = 0;
     for (; written < waiting.size(); ++written) {

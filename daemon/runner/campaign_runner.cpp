@@ -19,12 +19,6 @@ Result<std::optional<OpenCampaign>> what_stands(const Store& store, const RunOpt
                             row.state),
                 "go on with it by --resume, or take another database by --db");
   }
-  if (row.state == campaign::name(campaign::Safe{}) && !options.rearm) {
-    return fail(
-        Errc::refused,
-        fmt::format("campaign '{}' has tripped and waits in its safe state for a person", row.name),
-        "look at its events and at the chamber; then 'gyrocal run --resume' re-arms it");
-  }
   return open;
 }
 

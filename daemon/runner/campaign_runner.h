@@ -42,8 +42,9 @@ struct RunOptions {
   Duration patience{};     ///< for a board's first frame
   Duration stop_within{};  ///< to get the safe setpoint confirmed after stop_asked
   std::size_t monitor_rows_per_write = 24;
-  bool resume = false;  ///< go on with the database's campaign if it has not ended
-  bool rearm = false;   ///< even if it has tripped: a person has looked
+  double utc_rate = 1;   ///< seconds of campaign time in one of UTC
+  std::string database;  ///< its folder is watched for room
+  bool resume = false;   ///< go on with the database's campaign if it has not ended
 };
 
 struct Outcome {
@@ -56,7 +57,7 @@ struct Outcome {
 /// the chamber, feed the state machine, act, store, sleep. Nothing is written to the chamber before
 /// preflight has passed, nor to the database.
 /// @return how it ended. busy: the database holds a campaign that has not ended, and resume is not
-///   asked for; refused: that campaign has tripped, and nobody re-arms it. Any other error means
+///   asked for. Any other error means
 ///   that it did not begin (preflight), or that the database failed on the way: then the chamber
 ///   has been sent to its safe setpoint.
 [[nodiscard]] Result<Outcome> run_campaign(const CampaignConfig& config, Devices devices,

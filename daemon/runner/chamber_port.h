@@ -38,6 +38,7 @@ class ChamberPort {
   [[nodiscard]] bool is_safe() const { return safe_asked_ && safe_confirmed_; }
   [[nodiscard]] bool safe_asked() const { return safe_asked_; }
   [[nodiscard]] bool away() const { return failures_ >= failures_before_away; }
+  [[nodiscard]] int doubtful_readings() const { return filter_.doubtful(); }
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
   /// Time since the last believed reading.
   [[nodiscard]] Duration age(Duration t) const { return t - last_good_; }

@@ -21,6 +21,7 @@ RunOptions wired_options(const CampaignConfig& config) {
   options.tick = std::min(seconds(turn_wall_s * scale), seconds(config.chamber.poll_interval_s));
   options.patience = seconds(patience_wall_s * scale);
   options.stop_within = seconds(stop_within_wall_s * scale);
+  options.utc_rate = scale;
   return options;
 }
 
@@ -35,19 +36,21 @@ RunOptions virtual_options(const CampaignConfig& config) {
 
 namespace {
 
-/// The outcome of a campaign that has ended already, if `once` is asked for and there is one.
-Result<std::optional<Outcome>> ended_before(const Store& store, const RunRequest& request) {
-  if (!request.once) return std::nullopt;
-  auto open = store.open_campaign();
-  if (!open) return tl::unexpected(open.error());
+/// How the database's campaign ended, if nobody is there to begin another or to re-arm this one.
+Result<std::optional<Outcome>> left_alone(const Store& store, const RunRequest& request) {
+  if (!request.unattended) return std::nullopt;
   auto latest = store.latest_campaign();
   if (!latest) return tl::unexpected(latest.error());
-  if (*open || !*latest) return std::nullopt;
+  if (!*latest) return std::nullopt;
   auto row = store.campaign(**latest);
   if (!row) return tl::unexpected(row.error());
-  Outcome outcome{**latest, campaign::Finished{}};
-  if (row->state == campaign::name(campaign::Aborted{})) outcome.state = campaign::Aborted{};
-  return outcome;
+  const auto as = [&](campaign::State state) { return Outcome{**latest, std::move(state)}; };
+  if (row->state == campaign::name(campaign::Finished{})) return as(campaign::Finished{});
+  if (row->state == campaign::name(campaign::Aborted{})) return as(campaign::Aborted{});
+  if (row->state == campaign::name(campaign::Safe{})) {
+    return as(campaign::Safe{"tripped before; 'gyrocal run --resume' re-arms it"});
+  }
+  return std::nullopt;
 }
 
 /// Devices, with what only real ones need: a lock on the chamber and an ear for operators.
@@ -81,14 +84,14 @@ Result<Outcome> run_requested(
   const std::string path = request.database.value_or(config->database);
   auto store = Store::open(path);
   if (!store) return tl::unexpected(store.error());
-  auto before = ended_before(*store, request);
+  auto before = left_alone(*store, request);
   if (!before) return tl::unexpected(before.error());
   if (*before) return **before;
 
   RunOptions options = request.virtual_seed ? virtual_options(*config) : wired_options(*config);
   options.software_version = request.software_version;
+  options.database = path;
   options.resume = request.resume;
-  options.rearm = request.rearm;
   auto outcome = [&] {
     if (!request.virtual_seed) return run_wired(*config, *store, options, hooks);
     const auto owned = virtual_devices(*config, rig::RigModel{}, *request.virtual_seed);

@@ -11,10 +11,9 @@ namespace gyrocal::runner {
 /// What somebody asks for who wants a campaign run.
 struct RunRequest {
   std::string campaign_path;
-  std::optional<std::string> database;        ///< instead of the campaign file's
-  bool resume = false;                        ///< go on with what the database holds
-  bool rearm = false;                         ///< even if it has tripped
-  bool once = false;                          ///< a campaign that has ended is not begun again
+  std::optional<std::string> database;  ///< instead of the campaign file's
+  bool resume = false;                  ///< go on with what the database holds
+  bool unattended = false;  ///< leave a campaign alone that has ended, or tripped: no person asks
   std::optional<std::uint64_t> virtual_seed;  ///< the simulated rig in process, in virtual time
   std::string software_version;
 };

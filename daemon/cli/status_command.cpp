@@ -1,0 +1,91 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "config/campaign.h"
+#include "daemon/cli/command.h"
+#include "daemon/cli/outcome.h"
+#include "daemon/runner/control_socket.h"
+#include "daemon/runner/progress.h"
+
+namespace gyrocal::cli {
+namespace {
+
+struct Options {
+  std::string campaign;
+  bool as_json = false;
+};
+
+/// The socket of the campaign a person means: of a file, of a name, or of the only one that runs.
+Result<std::string> socket_meant(const std::string& campaign) {
+  namespace fs = std::filesystem;
+  if (campaign.ends_with(".toml")) {
+    const auto config = read_campaign(campaign);
+    if (!config) return tl::unexpected(config.error());
+    return runner::control_path(config->name);
+  }
+  if (!campaign.empty()) return runner::control_path(campaign);
+  std::vector<std::string> running;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(runner::runtime_folder(), none)) {
+    if (entry.path().extension() == ".sock") running.push_back(entry.path().string());
+  }
+  if (running.size() == 1) return running.front();
+  std::sort(running.begin(), running.end());
+  std::string names;
+  for (const auto& path : running) names += " " + fs::path(path).stem().string();
+  return fail(Errc::link_lost,
+              running.empty() ? "no campaign runs (no socket in " + runner::runtime_folder() + ")"
+                              : "several campaigns run:" + names,
+              running.empty() ? "begin one: gyrocal run CAMPAIGN.toml" : "name one of them");
+}
+
+int tell(const std::string& command, const Options& options) {
+  const auto path = socket_meant(options.campaign);
+  if (!path) return report(path.error());
+  const auto line = runner::ask_campaign(*path, command);
+  if (!line) return report(line.error());
+  const auto answer = nlohmann::json::parse(*line, nullptr, false);
+  if (options.as_json) {
+    fmt::print("{}\n", *line);
+  } else if (!answer.value("ok", true)) {
+    fmt::print(stderr, "gyrocal: {}: {}\n", command, answer.value("why", ""));
+  } else {
+    fmt::print("{}\n", answer.value("text", ""));
+    if (command == "status") {
+      fmt::print("  {} of {} setpoints, chamber at {:.1f} degC, {} of {} boards, {} left\n",
+                 answer.value("setpoints_done", 0), answer.value("setpoints", 0),
+                 answer.value("chamber_c", 0.0), answer.value("boards_present", 0),
+                 answer.value("boards", 0),
+                 runner::clock_text(seconds(answer.value("left_s", 0.0))));
+    }
+  }
+  return answer.value("ok", true) ? exit_done : exit_failed;
+}
+
+void add_one(CLI::App& root, Chosen& chosen, const std::string& name, const std::string& help) {
+  auto* command =
+      root.add_subcommand(name, fmt::format("Example: gyrocal {} weekend\n{}", name, help));
+  const auto options = std::make_shared<Options>();
+  command->add_option("campaign", options->campaign,
+                      "its name or its file; default: the one that runs");
+  command->add_flag("--json", options->as_json, "print JSON");
+  command->callback(
+      [name, options, &chosen] { chosen = [name, options] { return tell(name, *options); }; });
+}
+
+}  // namespace
+
+void add_status(CLI::App& root, Chosen& chosen) {
+  add_one(root, chosen, "status", "Where a running campaign stands.");
+  add_one(root, chosen, "pause",
+          "Holds the chamber where it is; a running dwell is repeated later.");
+  add_one(root, chosen, "resume", "Goes on after a pause.");
+  add_one(root, chosen, "skip", "Goes on with the next setpoint.");
+  add_one(root, chosen, "abort", "Brings the chamber to its safe setpoint and ends the campaign.");
+}
+
+}  // namespace gyrocal::cli

@@ -1,0 +1,147 @@
+#include "daemon/runner/check.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "daemon/runner/analysis.h"
+#include "daemon/runner/device_lock.h"
+#include "daemon/runner/progress.h"
+
+namespace gyrocal::runner {
+namespace {
+
+constexpr double megabyte = 1e6;
+
+const char* word(ChamberRun run) {
+  switch (run) {
+    case ChamberRun::stopped:
+      return "stopped";
+    case ChamberRun::running:
+      return "running";
+    case ChamberRun::paused:
+      return "paused";
+  }
+  return "";
+}
+
+std::string text_of(const ChamberReading& reading) {
+  std::string text = fmt::format("{:.1f} degC, setpoint {:.1f} degC", reading.actual.value,
+                                 reading.setpoint.value);
+  if (reading.run) text += fmt::format(", {}", word(*reading.run));
+  return text;
+}
+
+Result<std::string> look_at_board(const BoardConfig& config, Board& board, const BoardMode& mode,
+                                  Clock& clock, Duration patience) {
+  auto identity = inspect_board(config, board, mode, clock, patience);
+  if (!identity) return tl::unexpected(identity.error());
+  if (auto stopped = board.stop(); !stopped) return tl::unexpected(stopped.error());
+  return fmt::format("MCU id {}, {}, streams at {} Hz", identity->mcu_id,
+                     identity->firmware_version, mode.sample_rate_hz);
+}
+
+std::uintmax_t free_at(const std::string& database) {
+  const auto folder = std::filesystem::absolute(database).parent_path();
+  std::error_code unknown;
+  const auto space = std::filesystem::space(folder, unknown);
+  return unknown ? 0 : space.available;
+}
+
+std::pair<double, double> span(const std::vector<Celsius>& setpoints) {
+  const auto [low, high] = std::minmax_element(setpoints.begin(), setpoints.end());
+  return {low->value, high->value};
+}
+
+}  // namespace
+
+bool CheckReport::passed() const {
+  return fits() && std::all_of(devices.begin(), devices.end(),
+                               [](const CheckedDevice& d) { return d.found.has_value(); });
+}
+
+Result<CheckReport> check_campaign(const CampaignConfig& config, Devices& devices,
+                                   Duration patience, const std::string& database) {
+  auto plan = campaign::make_plan(config);
+  if (!plan) return tl::unexpected(plan.error());
+  if (auto filter = denoise_settings(config.analysis); !filter) {
+    return tl::unexpected(filter.error());
+  }
+  CheckReport report;
+  report.plan = *plan;
+  report.database = database;
+  report.bytes_free = free_at(database);
+  const auto chamber = inspect_chamber(config, devices.chamber);
+  report.cost = estimate(*plan, chamber ? chamber->actual : plan->safe);
+  report.devices.push_back(
+      {"chamber", chamber_name(config.chamber),
+       chamber ? Result<std::string>(text_of(*chamber)) : tl::unexpected(chamber.error())});
+  const BoardMode mode{config.plan.sample_rate_hz, false, true};
+  for (std::size_t i = 0; i < config.boards.size(); ++i) {
+    report.devices.push_back(
+        {config.boards[i].name, config.boards[i].device,
+         look_at_board(config.boards[i], *devices.boards[i], mode, devices.clock, patience)});
+  }
+  return report;
+}
+
+std::string check_text(const CheckReport& report) {
+  const auto& plan = report.plan;
+  const auto [low, high] = span(plan.setpoints);
+  std::string text;
+  const auto row = [&](const std::string& name, const std::string& what) {
+    text += fmt::format("{:<10} {}\n", name, what);
+  };
+  row("plan", fmt::format("{} setpoints from {:.1f} to {:.1f} degC, {} samples each at {} Hz from "
+                          "{} boards",
+                          plan.setpoints.size(), low, high, plan.samples_per_dwell,
+                          plan.sample_rate_hz, plan.boards.size()));
+  row("limits", fmt::format("{:.1f} to {:.1f} degC, what boards and chamber allow together; safe "
+                            "setpoint {:.1f} degC",
+                            plan.allowed.min.value, plan.allowed.max.value, plan.safe.value));
+  row("duration",
+      fmt::format("{} h:min:s if nothing is disturbed", clock_text(report.cost.duration)));
+  row("disk",
+      fmt::format("{:.1f} MB needed for {}, {:.1f} MB free{}", double(report.cost.bytes) / megabyte,
+                  report.database, double(report.bytes_free) / megabyte,
+                  report.fits() ? "" : ": TOO LITTLE"));
+  for (const auto& device : report.devices) {
+    row(device.name, device.found ? fmt::format("{}: {}", device.where, *device.found)
+                                  : fmt::format("FAILS: {}", to_text(device.found.error())));
+  }
+  return text;
+}
+
+std::string check_json(const CheckReport& report) {
+  const auto& plan = report.plan;
+  nlohmann::ordered_json setpoints = nlohmann::ordered_json::array();
+  for (const Celsius c : plan.setpoints) setpoints.push_back(c.value);
+  nlohmann::ordered_json devices = nlohmann::ordered_json::array();
+  for (const auto& device : report.devices) {
+    nlohmann::ordered_json one{{"name", device.name}, {"where", device.where}};
+    if (device.found) {
+      one["found"] = *device.found;
+    } else {
+      one["error"] = device.found.error().what;
+      one["advice"] = device.found.error().advice;
+    }
+    devices.push_back(one);
+  }
+  return nlohmann::ordered_json{{"passed", report.passed()},
+                                {"setpoints_c", setpoints},
+                                {"limit_min_c", plan.allowed.min.value},
+                                {"limit_max_c", plan.allowed.max.value},
+                                {"safe_setpoint_c", plan.safe.value},
+                                {"duration_s", to_seconds(report.cost.duration)},
+                                {"samples", report.cost.samples},
+                                {"bytes_needed", report.cost.bytes},
+                                {"bytes_free", report.bytes_free},
+                                {"database", report.database},
+                                {"devices", devices}}
+      .dump();
+}
+
+}  // namespace gyrocal::runner

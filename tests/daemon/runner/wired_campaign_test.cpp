@@ -1,0 +1,124 @@
+// A campaign over real TCP and pseudo-terminals, against the rig's server in another thread.
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <thread>
+
+#include "daemon/runner/check.h"
+#include "daemon/runner/control_socket.h"
+#include "daemon/runner/device_lock.h"
+#include "daemon/runner/make_safe.h"
+#include "daemon/runner/owned_devices.h"
+#include "daemon/runner/run_request.h"
+#include "tests/daemon/runner/served_rig.h"
+
+namespace gyrocal::runner {
+namespace {
+
+RunHooks quiet() {
+  RunHooks hooks;
+  hooks.log = [](const EventInsert&) {};
+  return hooks;
+}
+
+}  // namespace
+
+SCENARIO("three setpoints, two boards, through libmodbus and libserialport to stored models") {
+  const TemporaryFolder folder;
+  const ServedRig rig(folder);
+  RunRequest request;
+  request.campaign_path = folder.write("wired.toml", campaign_text(folder, rig.port()));
+  request.software_version = "test";
+  RunHooks hooks = quiet();
+  const std::string socket = control_path(fmt::format("wired-{}", ::getpid()));
+  std::string answer;
+  std::thread operator_asks;
+  hooks.progress = [&](const Snapshot& now) {
+    if (now.state != "soaking" || operator_asks.joinable()) return;
+    operator_asks = std::thread([&] {
+      if (auto status = ask_campaign(socket, "status")) answer = *status;
+    });
+  };
+  std::size_t accepted = 0;
+  const auto outcome =
+      run_requested(request, hooks, [&](const Store& store, CampaignId campaign, auto&&) {
+        const auto boards = store.boards(campaign);
+        REQUIRE(boards);
+        for (const auto& [id, board] : *boards) {
+          const auto dwells = store.accepted_dwells(campaign, id);
+          REQUIRE(dwells);
+          for (const auto& dwell : *dwells) accepted += store.samples(dwell.id)->size();
+        }
+      });
+  if (operator_asks.joinable()) operator_asks.join();
+  if (!outcome) FAIL(to_text(outcome.error()));
+  CHECK(std::holds_alternative<campaign::Finished>(outcome->state));
+  CHECK(accepted == 2 * 3 * 200);
+  CHECK(answer.find("\"setpoints\":3") != std::string::npos);
+}
+
+SCENARIO("an operator pauses, is refused a second pause, resumes, and aborts") {
+  const TemporaryFolder folder;
+  const ServedRig rig(folder);
+  RunRequest request;
+  request.campaign_path = folder.write("wired.toml", campaign_text(folder, rig.port()));
+  RunHooks hooks = quiet();
+  const std::string socket = control_path(fmt::format("wired-{}", ::getpid()));
+  std::vector<std::string> answers;
+  std::thread operator_asks;
+  hooks.progress = [&](const Snapshot& now) {
+    if (now.state != "soaking" || operator_asks.joinable()) return;
+    operator_asks = std::thread([&] {
+      for (const char* command : {"pause", "pause", "resume", "abort", "explode"}) {
+        auto answer = ask_campaign(socket, command);
+        answers.push_back(answer ? *answer : to_text(answer.error()));
+      }
+    });
+  };
+  const auto outcome = run_requested(request, hooks, [](auto&&...) {});
+  operator_asks.join();
+  if (!outcome) FAIL(to_text(outcome.error()));
+  CHECK(std::holds_alternative<campaign::Aborted>(outcome->state));
+  REQUIRE(answers.size() == 5);
+  CHECK(answers[0].find("\"state\":\"paused\"") != std::string::npos);
+  CHECK(answers[1].find("\"ok\":false") != std::string::npos);
+  CHECK(answers[2].find("\"ok\":true") != std::string::npos);
+  CHECK(answers[3].find("\"state\":\"returning\"") != std::string::npos);
+}
+
+SCENARIO("check finds what is there, and make-safe moves the chamber") {
+  const TemporaryFolder folder;
+  const ServedRig rig(folder);
+  const auto config = parse_campaign(campaign_text(folder, rig.port()), folder / "c.toml");
+  if (!config) FAIL(to_text(config.error()));
+  const auto owned = wired_devices(*config);
+  auto devices = owned->devices();
+  const auto report =
+      check_campaign(*config, devices, wired_options(*config).patience, folder / "c.db");
+  if (!report) FAIL(to_text(report.error()));
+  for (const auto& device : report->devices) {
+    INFO(device.name << ": " << (device.found ? *device.found : to_text(device.found.error())));
+    CHECK(device.found.has_value());
+  }
+  CHECK(report->passed());
+  CHECK_FALSE(std::filesystem::exists(folder / "c.db"));
+
+  REQUIRE(devices.chamber.set_setpoint(Celsius{55}));
+  REQUIRE(make_chamber_safe(*config, devices.chamber, devices.clock, seconds(600)));
+  CHECK(devices.chamber.read()->setpoint == Celsius{25});
+}
+
+SCENARIO("a chamber is commanded by one process, and the second learns who has it") {
+  const TemporaryFolder folder;
+  const auto config = parse_campaign(campaign_text(folder, 15999), folder / "c.toml");
+  REQUIRE(config);
+  const auto first = lock_chamber(config->chamber);
+  REQUIRE(first);
+  const auto second = lock_chamber(config->chamber);
+  REQUIRE_FALSE(second);
+  CHECK(second.error().code == Errc::busy);
+  CHECK(second.error().what.find(fmt::format("process {}", ::getpid())) != std::string::npos);
+}
+
+}  // namespace gyrocal::runner
