@@ -27,4 +27,8 @@ inline constexpr std::array<PaperFigures, 3> paper_table_2{{
     {"improved_gm11", "Improved grey prediction", 0.0250, 0.0180, 0.0250, 0.0180, false},
 }};
 
+/// Section 5.3: the standard deviation of a dwell before and after the filter.
+inline constexpr double paper_raw_deviation_dps = 1.3102;
+inline constexpr double paper_filtered_deviation_dps = 0.2488;
+
 }  // namespace gyrocal

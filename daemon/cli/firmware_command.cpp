@@ -10,6 +10,7 @@
 #include "daemon/cli/command.h"
 #include "daemon/cli/csv_columns.h"
 #include "daemon/cli/outcome.h"
+#include "daemon/cli/stored_drift.h"
 #include "gyrocal_version.h"
 
 namespace gyrocal::cli {
@@ -18,6 +19,7 @@ namespace {
 struct FirmwareOptions {
   std::string format;
   std::vector<std::string> models;
+  std::string database;
   std::string method;
   SensorIdentity sensor;
   int instance = 0;
@@ -49,6 +51,40 @@ Result<AxisModel> model_for(const std::string& path, const FirmwareOptions& opti
   return AxisModel{std::move(given->identity), std::move(given->model)};
 }
 
+/// The stored models of one board: of the asked axis, or of every axis it has.
+Result<std::vector<AxisModel>> models_from_database(const FirmwareOptions& options) {
+  const auto store = Store::open_read_only(options.database);
+  if (!store) return tl::unexpected(store.error());
+  const auto sensors = sensors_of(*store, options.sensor.board, options.sensor.axis);
+  if (!sensors) return tl::unexpected(sensors.error());
+  std::vector<AxisModel> axes;
+  for (const StoredSensor& sensor : *sensors) {
+    if (sensor.id != sensors->front().id) {
+      return fail(Errc::bad_input, options.database + " holds several boards, a file is for one",
+                  "choose one with --board");
+    }
+    auto model = stored_model(*store, sensor, options.method);
+    if (!model) return tl::unexpected(std::move(model.error()));
+    const SensorIdentity scale{{}, {}, options.sensor.temperature_scale};
+    if (auto same = check_identity(model->identity, scale); !same) {
+      same.error().advice = "fit over that thermometer: gyrocal fit --db ... --temperature-scale";
+      return tl::unexpected(std::move(same.error()));
+    }
+    axes.push_back({std::move(model->identity), std::move(model->model)});
+  }
+  return axes;
+}
+
+Result<std::vector<AxisModel>> models_from_files(const FirmwareOptions& options) {
+  std::vector<AxisModel> axes;
+  for (const auto& path : options.models) {
+    auto model = model_for(path, options);
+    if (!model) return tl::unexpected(std::move(model.error()));
+    axes.push_back(std::move(*model));
+  }
+  return axes;
+}
+
 Result<FirmwareRequest> request_of(const FirmwareOptions& options) {
   const auto format = firmware_format_named(options.format);
   if (!format) return tl::unexpected(format.error());
@@ -57,11 +93,12 @@ Result<FirmwareRequest> request_of(const FirmwareOptions& options) {
   request.instance = options.instance;
   request.device_id = options.device_id;
   request.software_version = GYROCAL_VERSION;
-  for (const auto& path : options.models) {
-    auto model = model_for(path, options);
-    if (!model) return tl::unexpected(std::move(model.error()));
-    request.axes.push_back(std::move(*model));
+  if (options.models.empty() == options.database.empty()) {
+    return fail(Errc::bad_input, "give either --model or --db", "see gyrocal firmware --help");
   }
+  auto axes = options.database.empty() ? models_from_files(options) : models_from_database(options);
+  if (!axes) return tl::unexpected(std::move(axes.error()));
+  request.axes = std::move(*axes);
   return request;
 }
 
@@ -106,13 +143,15 @@ void add_firmware(CLI::App& root, Chosen& chosen) {
       "csv or json. The text is read back and evaluated in single precision before it is written.");
   const auto options = std::make_shared<FirmwareOptions>();
   command->add_option("--format", options->format, "c, px4, ardupilot, csv or json")->required();
-  command
-      ->add_option("--model", options->models,
-                   "what gyrocal fit --json printed; one file for each axis")
-      ->required();
+  command->add_option("--model", options->models,
+                      "what gyrocal fit --json printed; one file for each axis");
+  command->add_option("--db", options->database,
+                      "the stored models of a board of the latest campaign");
   command->add_option("--method", options->method, "instead of the recommended one");
-  command->add_option("--board", options->sensor.board, "refuse the model of another board");
-  command->add_option("--axis", options->sensor.axis, "x, y or z, where the model does not say");
+  command->add_option("--board", options->sensor.board,
+                      "of a database: which; of a file: refuse another one's");
+  command->add_option("--axis", options->sensor.axis,
+                      "x, y or z: likewise; or what the model does not say");
   command->add_option("--temperature-scale", options->sensor.temperature_scale,
                       "refuse a model over another thermometer");
   command->add_option("--instance", options->instance, "of the gyro in PX4 or ArduPilot, from 0")

@@ -9,11 +9,21 @@
 #include "compensation/drift/paper.h"
 #include "daemon/cli/command.h"
 #include "daemon/cli/outcome.h"
+#include "daemon/cli/paper_dwell_deviation.h"
+#include "daemon/cli/paper_examined.h"
 
 namespace gyrocal::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+struct PaperOptions {
+  bool dwell_deviation = false;
+  bool examine = false;
+  bool table_1 = false;
+  std::uint64_t seed = 1;
+  bool as_json = false;
+};
 
 /// One row of Table 2 beside our own figures, rounded to the four digits the paper prints.
 struct ComparedRow {
@@ -111,7 +121,7 @@ Json to_json(const std::vector<ComparedRow>& rows, const std::vector<std::string
   return json;
 }
 
-int paper(bool as_json) {
+int table_2(bool as_json) {
   AnalysisOptions options;
   options.methods = {Method::gm11, Method::least_squares, Method::improved_gm11};
   const auto analysis = analyse(paper_table_1(), options);
@@ -126,16 +136,34 @@ int paper(bool as_json) {
   return exit_done;
 }
 
+int show(const PaperOptions& options) {
+  if (options.dwell_deviation) return report_dwell_deviation(options.seed, options.as_json);
+  if (options.examine) return report_paper_examined();
+  if (options.table_1) return print_paper_table_1();
+  return table_2(options.as_json);
+}
+
 }  // namespace
 
 void add_paper(CLI::App& root, Chosen& chosen) {
-  auto* command = root.add_subcommand(
-      "paper",
-      "Example: gyrocal paper\n"
-      "Computes the paper's Table 2 from its Table 1, beside the figures printed there.");
-  const auto as_json = std::make_shared<bool>(false);
-  command->add_flag("--json", *as_json, "print JSON");
-  command->callback([as_json, &chosen] { chosen = [as_json] { return paper(*as_json); }; });
+  auto* command = root.add_subcommand("paper",
+                                      "Example: gyrocal paper --dwell-deviation\n"
+                                      "Computes the paper's Table 2 from its Table 1, beside the "
+                                      "figures printed there; or what its "
+                                      "filter leaves of a dwell's deviation.");
+  const auto options = std::make_shared<PaperOptions>();
+  auto* dwell = command->add_flag("--dwell-deviation", options->dwell_deviation,
+                                  "1.3102 to 0.2488 deg/s, on simulated dwells");
+  command->add_option("--seed", options->seed, "of the simulated dwells")
+      ->needs(dwell)
+      ->capture_default_str();
+  command->add_flag("--json", options->as_json, "print JSON");
+  auto* examine = command->add_flag("--examine", options->examine,
+                                    "what the paper leaves open or gets wrong, with its numbers");
+  auto* table = command->add_flag("--table-1", options->table_1, "Table 1 as CSV, for gyrocal fit");
+  dwell->excludes(examine)->excludes(table);
+  examine->excludes(table);
+  command->callback([options, &chosen] { chosen = [options] { return show(*options); }; });
 }
 
 }  // namespace gyrocal::cli

@@ -33,3 +33,37 @@ TEST_CASE("gyrocal paper as text shows each figure beside the printed one", "[cl
   CHECK(ran.out.find("Improved grey prediction     0.0250   0.0180     0.0250   0.0180 ") !=
         std::string::npos);
 }
+
+TEST_CASE("level 5 is the one that leaves what the paper reports of a dwell's deviation", "[cli]") {
+  for (const char* seed : {"1", "2", "3"}) {
+    CAPTURE(seed);
+    const auto ran = run_gyrocal(std::string("paper --dwell-deviation --json --seed ") + seed);
+    REQUIRE(ran.exit_code == 0);
+    const auto json = nlohmann::json::parse(ran.out);
+    CHECK(json["nearest_level"] == 5);
+    const auto& level_5 = json["levels"][4];
+    CHECK(level_5["raw_dps"].get<double>() == Approx(1.3102).epsilon(0.015));
+    CHECK(level_5["filtered_dps"].get<double>() == Approx(0.2488).epsilon(0.1));
+    CHECK(level_5["lowest_dps"] < 0.2488);
+    CHECK(level_5["highest_dps"] > 0.2488);
+  }
+  CHECK(run_gyrocal("paper --seed 2").exit_code == 2);  // a seed of nothing
+}
+
+TEST_CASE("Table 1 as CSV is what fit reads", "[cli]") {
+  const auto table = run_gyrocal("paper --table-1");
+  REQUIRE(table.exit_code == 0);
+  const auto fitted = run_gyrocal("fit --table - --json", table.out);
+  REQUIRE(fitted.exit_code == 0);
+  CHECK(nlohmann::json::parse(fitted.out)["models"][1]["rmse_n"].get<double>() ==
+        Approx(0.024459333698011676).epsilon(1e-9));
+}
+
+TEST_CASE("the paper examined: degree 5 alone gives its figures", "[cli]") {
+  const auto ran = run_gyrocal("paper --examine");
+  CHECK(ran.exit_code == 0);
+  CHECK(ran.out.find("improved_gm11, degree 5              0.0250    0.0180") != std::string::npos);
+  CHECK(ran.out.find("1.3102 / sqrt(3000) = 0.0239 deg/s") != std::string::npos);
+  CHECK(ran.out.find("= 4.133 LSB/(deg/s)") != std::string::npos);
+  CHECK(run_gyrocal("paper --examine --table-1").exit_code == 2);
+}
