@@ -62,7 +62,7 @@ TEST_CASE("Table 1 as CSV is what fit reads", "[cli]") {
 TEST_CASE("the paper examined: degree 5 alone gives its figures", "[cli]") {
   const auto ran = run_gyrocal("paper --examine");
   CHECK(ran.exit_code == 0);
-  CHECK(ran.out.find("improved_gm11, degree 5              0.0250    0.0180") != std::string::npos);
+  CHECK(ran.out.find("improved_gm11, degree 5             0.0250    0.0180") != std::string::npos);
   CHECK(ran.out.find("1.3102 / sqrt(3000) = 0.0239 deg/s") != std::string::npos);
   CHECK(ran.out.find("= 4.133 LSB/(deg/s)") != std::string::npos);
   CHECK(run_gyrocal("paper --examine --table-1").exit_code == 2);
