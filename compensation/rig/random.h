@@ -20,6 +20,7 @@ enum StreamPurpose : std::uint32_t {
   board_spread = 1,
   accelerometer = 2,
   plan_order = 3,
+  wire_faults = 4,
   first_effect = 16
 };
 

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "config/campaign.h"
+#include "config/rig_faults.h"
 #include "config/rig_model.h"
 #include "daemon/cli/outcome.h"
 #include "daemon/cli/rig_command.h"
@@ -32,11 +33,13 @@ struct ServeOptions {
   std::optional<double> time_scale;
   std::uint64_t seed = 1;
   std::string rig_model = default_rig_model;
+  std::string fault;
   bool as_json = false;
 };
 
 struct ServePlan {
   RigEndpoints endpoints;
+  std::vector<std::string> board_names;
   ChamberProfile profile;
   int unit = 1;
   double time_scale = 1.0;
@@ -62,7 +65,8 @@ Result<ServePlan> plan_of(const ServeOptions& options) {
   plan.endpoints.port = options.port;
   const std::string folder = options.link_dir.empty() ? default_link_dir() : options.link_dir;
   for (std::size_t index = 0; index < options.boards; ++index) {
-    plan.endpoints.links.push_back(fmt::format("{}/board{}", folder, index));
+    plan.board_names.push_back(fmt::format("board{}", index));
+    plan.endpoints.links.push_back(fmt::format("{}/{}", folder, plan.board_names.back()));
   }
   return plan;
 }
@@ -83,11 +87,16 @@ Result<ServePlan> plan_of(const CampaignConfig& campaign, const ServeOptions& op
                             options.campaign),
                 "host = \"127.0.0.1\"");
   }
-  ServePlan plan{{address->host, address->port, {}},
-                 campaign.chamber.profile,
-                 campaign.chamber.unit,
-                 options.time_scale.value_or(campaign.time_scale)};
-  for (const BoardConfig& board : campaign.boards) plan.endpoints.links.push_back(board.device);
+  ServePlan plan;
+  plan.endpoints.host = address->host;
+  plan.endpoints.port = address->port;
+  plan.profile = campaign.chamber.profile;
+  plan.unit = campaign.chamber.unit;
+  plan.time_scale = options.time_scale.value_or(campaign.time_scale);
+  for (const BoardConfig& board : campaign.boards) {
+    plan.board_names.push_back(board.name);
+    plan.endpoints.links.push_back(board.device);
+  }
   return plan;
 }
 
@@ -147,6 +156,9 @@ Result<void> serve(const ServeOptions& options) {
   if (!plan) return tl::unexpected(plan.error());
   const auto model = read_rig_model(options.rig_model);
   if (!model) return tl::unexpected(model.error());
+  Result<std::vector<RigFault>> faults;
+  if (!options.fault.empty()) faults = read_rig_faults(options.fault, plan->board_names);
+  if (!faults) return tl::unexpected(faults.error());
   const auto stop = end_signals();
   if (!stop) return tl::unexpected(stop.error());
 
@@ -156,6 +168,7 @@ Result<void> serve(const ServeOptions& options) {
   ScaledClock clock(plan->time_scale);
   SimulatedRig rig(*model, options.seed, plan->endpoints.links.size(), plan->profile, plan->unit,
                    buffer_bytes);
+  rig.set_faults(*std::move(faults));
   auto server = RigServer::open(rig, clock, plan->endpoints, plan->time_scale);
   if (!server) return tl::unexpected(server.error());
   options.as_json ? print_json(*plan, options, *server) : print_lines(*plan, options, *server);
@@ -184,6 +197,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
   command.add_option("--seed", options.seed, "of noise and spread")->capture_default_str();
   command.add_option("--rig-model", options.rig_model, "file, or name of a shipped one")
       ->capture_default_str();
+  command.add_option("--fault", options.fault, "TOML list of what goes wrong, and when");
   command.add_flag("--json", options.as_json, "print the addresses as one line of JSON");
 }
 

@@ -40,11 +40,20 @@ Result<void> InProcessBoardLink::reopen() {
 }
 
 Result<Bytes> InProcessChamberLink::transact(std::span<const std::uint8_t> request) {
-  if (auto reply = chamber_.answer(request, clock_.now())) return *std::move(reply);
+  using Way = ChamberAnswer::Way;
+  auto answer = chamber_.exchange(request, clock_.now());
+  if (answer.way == Way::hang_up) {
+    return fail(Errc::link_lost, "simulated chamber: connection refused", "is it switched on?");
+  }
+  const bool arrives = answer.way == Way::whole || answer.way == Way::twice;
+  if (arrives && answer.delay < reply_timeout_) {
+    clock_.sleep_until(clock_.now() + answer.delay);
+    return std::move(answer.reply);
+  }
   clock_.sleep_until(clock_.now() + reply_timeout_);
   return fail(Errc::timeout,
               fmt::format("simulated chamber: no reply in {} s", to_seconds(reply_timeout_)),
-              "is the unit id right?");
+              "is the unit id right, and the chamber alive?");
 }
 
 }  // namespace gyrocal

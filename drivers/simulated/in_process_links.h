@@ -27,7 +27,9 @@ class InProcessBoardLink final : public ByteLink {
   std::uint32_t appearance_;  // the one this link has open
 };
 
-/// Modbus without a wire. Silence takes `reply_timeout` of the clock.
+/// Modbus without a wire. Silence takes `reply_timeout` of the clock; half a reply and one that is
+/// later are silence too, and of a doubled one the second is thrown away unseen, as ModbusLink
+/// does.
 class InProcessChamberLink final : public RequestLink {
  public:
   InProcessChamberLink(SimulatedChamber& chamber, Clock& clock, Duration reply_timeout)

@@ -80,11 +80,14 @@ std::chrono::milliseconds RigServer::time_to_next_event() const {
     return std::clamp(std::chrono::ceil<std::chrono::milliseconds>(wait), turn_min, turn_max);
   };
   auto wait = turn_max;
+  const auto await = [&](std::optional<Instant> event) {
+    if (!event) return;
+    const double ours_ns = static_cast<double>((*event - clock_.now()).count()) / time_scale_;
+    wait = std::min(wait, rounded_up(Duration{std::llround(ours_ns)}));
+  };
+  await(rig_.next_fault());
   for (std::size_t index = 0; index < rig_.board_count(); ++index) {
-    if (const auto event = rig_.board(index).next_event()) {
-      const double ours_ns = static_cast<double>((*event - clock_.now()).count()) / time_scale_;
-      wait = std::min(wait, rounded_up(Duration{std::llround(ours_ns)}));
-    }
+    await(rig_.board(index).next_event());
   }
   if (const auto deadline = chamber_.deadline()) {
     wait = std::min(wait, rounded_up(*deadline - std::chrono::steady_clock::now()));
@@ -98,10 +101,10 @@ Result<void> RigServer::turn(std::chrono::milliseconds wait, int stop) {
   for (const BoardPty& board : boards_) board.watch(watched_);
   ::poll(watched_.data(), watched_.size(), static_cast<int>(wait.count()));
   const Instant now = clock_.now();
+  rig_.reach(now);
+  chamber_.set_refusing(rig_.chamber().refuses());
   chamber_.serve(std::chrono::steady_clock::now(), [&](std::span<const std::uint8_t> request) {
-    auto reply = rig_.chamber().answer(request, now);
-    return reply ? ChamberAnswer{ChamberAnswer::Way::whole, *std::move(reply), {}}
-                 : ChamberAnswer{};
+    return rig_.chamber().exchange(request, now);
   });
   for (BoardPty& board : boards_) {
     if (auto served = board.serve(now); !served) return served;

@@ -23,11 +23,12 @@ std::int64_t ns(Instant t) { return t.time_since_epoch().count(); }
 
 }  // namespace
 
-SimulatedBoard::SimulatedBoard(rig::RigBoard physics, Accelerometer accelerometer,
+SimulatedBoard::SimulatedBoard(rig::RigBoard physics, Accelerometer accelerometer, BoardWire wire,
                                const rig::ChamberAir& air, const McuId& mcu_id,
                                std::size_t output_bytes_max)
     : physics_(std::move(physics)),
       accelerometer_(std::move(accelerometer)),
+      wire_(std::move(wire)),
       air_(air),
       firmware_(mcu_id),
       output_bytes_max_(output_bytes_max),
@@ -52,7 +53,7 @@ void SimulatedBoard::take(std::size_t count) {
 
 void SimulatedBoard::receive(std::span<const std::uint8_t> packet, Instant now) {
   advance(now);
-  if (!present_ || reset_at_) return;
+  if (!present_ || mute_ || reset_at_) return;
   if (identify_until_) {
     waiting_packet_.assign(packet.begin(), packet.end());
   } else {
@@ -114,6 +115,7 @@ std::optional<Instant> SimulatedBoard::next_event() const {
 }
 
 void SimulatedBoard::advance(Instant now) {
+  if (before_each_) before_each_(now);
   reach_events(now);
   stream_until(ns(now));
 }
@@ -160,7 +162,7 @@ std::int64_t SimulatedBoard::batch_end_ns() const {
 void SimulatedBoard::send(const rig::RigSample& sample) {
   if (waiting_) return;
   ++counter_;
-  if (!sample.lost) build_frame(sample);
+  if (!sample.lost && !wire_.loses_frame()) build_frame(sample);
   if (frames_left_ > 0 && --frames_left_ == 0) streaming_ = false;
 }
 
@@ -173,11 +175,13 @@ void SimulatedBoard::build_frame(const rig::RigSample& sample) {
   frame_.temperature = thermometer(sample);
   waiting_ = !room_for(layout_.frame_bytes);
   Bytes& into = waiting_ ? held_frame_ : output_;
+  const std::size_t begin = into.size();
   if (firmware_.mode().raw) {
     inemo::encode_data_frame(layout_, frame_, into);
   } else {
     inemo::encode_data_frame(layout_, calibrated(frame_, firmware_.parameters()), into);
   }
+  wire_.spoil(into, begin);
 }
 
 std::int16_t SimulatedBoard::thermometer(const rig::RigSample& sample) {
@@ -189,7 +193,7 @@ std::int16_t SimulatedBoard::thermometer(const rig::RigSample& sample) {
 }
 
 bool SimulatedBoard::room_for(std::size_t bytes) const {
-  return host_open_ && output_.size() - output_begin_ + bytes <= output_bytes_max_;
+  return host_open_ && !mute_ && output_.size() - output_begin_ + bytes <= output_bytes_max_;
 }
 
 void SimulatedBoard::send_held_frame() {
@@ -200,7 +204,7 @@ void SimulatedBoard::send_held_frame() {
 }
 
 void SimulatedBoard::put(std::span<const std::uint8_t> bytes) {
-  if (!host_open_) return;
+  if (!host_open_ || mute_) return;
   output_.insert(output_.end(), bytes.begin(), bytes.end());
 }
 
@@ -231,6 +235,38 @@ void SimulatedBoard::plug_in(Instant now) {
 void SimulatedBoard::brown_out(Instant now) {
   advance(now);
   boot(now);
+}
+
+void SimulatedBoard::begin(const RigFault& fault, Instant now) {
+  advance(now);
+  switch (fault.kind) {
+    case RigFaultKind::unplug:
+      return unplug(now);
+    case RigFaultKind::reset:
+      return brown_out(now);
+    case RigFaultKind::mute:
+      mute_ = true;
+      return;
+    case RigFaultKind::freeze_temperature:
+      return set_temperature_trap(true);
+    default:
+      return wire_.set(fault.kind, fault.value);
+  }
+}
+
+void SimulatedBoard::end(const RigFault& fault, Instant now) {
+  advance(now);
+  switch (fault.kind) {
+    case RigFaultKind::unplug:
+      return plug_in(now);
+    case RigFaultKind::mute:
+      mute_ = false;
+      return send_held_frame();
+    case RigFaultKind::freeze_temperature:
+      return set_temperature_trap(false);
+    default:
+      return wire_.set(fault.kind, 0.0);
+  }
 }
 
 void SimulatedBoard::leave_bus(Instant now) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -14,6 +15,7 @@
 #include "drivers/link.h"
 #include "drivers/simulated/accelerometer.h"
 #include "drivers/simulated/board_firmware.h"
+#include "drivers/simulated/board_wire.h"
 
 namespace gyrocal {
 
@@ -30,8 +32,8 @@ class SimulatedBoard {
  public:
   /// `air` must outlive the board. The host's port is open from the start.
   /// @param output_bytes_max  what the host's side buffers before it throttles the board.
-  SimulatedBoard(rig::RigBoard physics, Accelerometer accelerometer, const rig::ChamberAir& air,
-                 const McuId& mcu_id,
+  SimulatedBoard(rig::RigBoard physics, Accelerometer accelerometer, BoardWire wire,
+                 const rig::ChamberAir& air, const McuId& mcu_id,
                  std::size_t output_bytes_max = std::numeric_limits<std::size_t>::max());
 
   /// One write of the host. Lost while the board is away.
@@ -65,6 +67,12 @@ class SimulatedBoard {
   /// The STLM75's trap: read faster than it converts (150 ms), its register stands still.
   void set_temperature_trap(bool on) { temperature_trap_ = on; }
 
+  /// A fault of the board or its wire begins; the same one ends.
+  void begin(const RigFault& fault, Instant now);
+  void end(const RigFault& fault, Instant now);
+  /// Called first whenever time moves: what happens at its own time, happens before.
+  void before_each(std::function<void(Instant)> hook) { before_each_ = std::move(hook); }
+
  private:
   void reach_events(Instant now);
   void stream_until(std::int64_t t_ns);
@@ -84,6 +92,7 @@ class SimulatedBoard {
 
   rig::RigBoard physics_;
   Accelerometer accelerometer_;
+  BoardWire wire_;
   const rig::ChamberAir& air_;
   BoardFirmware firmware_;
   std::size_t output_bytes_max_;
@@ -104,6 +113,7 @@ class SimulatedBoard {
   std::vector<rig::RigSample> samples_;
   inemo::DataFrame frame_;
 
+  bool mute_ = false;
   bool temperature_trap_ = false;
   std::optional<std::int16_t> last_temperature_;  // since Start
 
@@ -111,6 +121,7 @@ class SimulatedBoard {
   Bytes waiting_packet_;                   // the firmware has one receive buffer
   std::optional<Instant> reset_at_;
   std::optional<Instant> return_at_;
+  std::function<void(Instant)> before_each_;
 };
 
 }  // namespace gyrocal

@@ -137,7 +137,7 @@ const StateSpec& SimulatedChamber::states_of(Quantity quantity) const {
 }
 
 std::optional<double> SimulatedChamber::value_of(const Field& field, Instant now) const {
-  if (field.quantity == Quantity::actual) return actual(now).value;
+  if (field.quantity == Quantity::actual) return thermometer(now).value;
   if (field.quantity == Quantity::setpoint) return setpoint_.value;
   const auto& values = states_of(field.quantity).values;
   const auto found = values.find(field.quantity == Quantity::run_type ? type_ : name_of(run_));

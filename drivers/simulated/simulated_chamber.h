@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,10 +9,12 @@
 
 #include "compensation/rig/chamber_air.h"
 #include "config/chamber_profile.h"
+#include "config/rig_faults.h"
 #include "drivers/chamber/chamber.h"
 #include "drivers/chamber/pdu.h"
 #include "drivers/clock.h"
 #include "drivers/link.h"
+#include "drivers/simulated/chamber_answer.h"
 
 namespace gyrocal {
 
@@ -29,9 +32,21 @@ class SimulatedChamber {
   /// `air` must outlive the chamber and be commanded by nobody else.
   SimulatedChamber(const ChamberProfile& profile, int unit, rig::ChamberAir& air);
 
+  /// What the controller says and its wire does, faults included.
   /// @param request  unit id and PDU. Times never go backwards.
-  /// @return unit id and PDU of the reply; nothing if the request is for another unit.
+  [[nodiscard]] ChamberAnswer exchange(std::span<const std::uint8_t> request, Instant now);
+  /// What the controller of a sound wire says: unit id and PDU of the reply; nothing if the request
+  /// is for another unit.
   [[nodiscard]] std::optional<Bytes> answer(std::span<const std::uint8_t> request, Instant now);
+
+  /// A fault of the chamber or its wire begins; the same one ends. What happens at an instant only
+  /// begins.
+  void begin(const RigFault& fault, Instant now);
+  void end(const RigFault& fault);
+  /// No connection is taken now.
+  [[nodiscard]] bool refuses() const { return active(RigFaultKind::refuse) != nullptr; }
+  /// Called first in every exchange: what happens at its own time, happens before.
+  void before_each(std::function<void(Instant)> hook) { before_each_ = std::move(hook); }
 
   /// Somebody's hand on the panel: no limit is asked there.
   void set_at_panel(Celsius setpoint, Instant now);
@@ -60,6 +75,10 @@ class SimulatedChamber {
   [[nodiscard]] tl::expected<std::vector<Write>, modbus::Exception> checked_writes(
       const modbus::Request& request) const;
   [[nodiscard]] bool acceptable(const Field& field, double value) const;
+  [[nodiscard]] std::optional<Bytes> answer_for_another(std::span<const std::uint8_t> request,
+                                                        Instant now);
+  [[nodiscard]] const RigFault* active(RigFaultKind kind) const;
+  [[nodiscard]] Celsius thermometer(Instant now) const;
   [[nodiscard]] const Field* field_at(std::uint16_t address, std::uint8_t function) const;
   [[nodiscard]] const StateSpec& states_of(Quantity quantity) const;
   [[nodiscard]] std::optional<double> value_of(const Field& field, Instant now) const;
@@ -73,6 +92,9 @@ class SimulatedChamber {
   Celsius setpoint_{25.0};
   ChamberRun run_ = ChamberRun::stopped;
   std::string type_ = "constant";
+  std::vector<RigFault> active_;
+  Celsius stuck_at_{0.0};
+  std::function<void(Instant)> before_each_;
 };
 
 }  // namespace gyrocal
