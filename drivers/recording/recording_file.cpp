@@ -10,8 +10,8 @@
 namespace gyrocal {
 namespace {
 
-constexpr std::size_t merge_bytes = 256 * 1024;
-constexpr std::size_t piece_bytes_max = 64 * 1024 * 1024;
+constexpr std::size_t merge_bytes = std::size_t{256} << 10;
+constexpr std::size_t piece_bytes_max = std::size_t{64} << 20;
 constexpr std::size_t event_overhead_bytes = 8;  // its numbers, about
 constexpr int small_piece_level = 1;
 constexpr int merged_piece_level = 9;
