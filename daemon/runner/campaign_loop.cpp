@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <system_error>
 
 #include "compensation/values/assert.h"
 #include "daemon/campaign/overloaded.h"
 #include "daemon/runner/analysis.h"
+#include "daemon/runner/disk_room.h"
 
 namespace gyrocal::runner {
 namespace {
@@ -20,8 +19,6 @@ constexpr Duration monitor_interval = seconds(campaign::monitor_interval_s);
 constexpr int polls_before_unknown = 3;
 constexpr Duration doubt_told_every = std::chrono::minutes{10};
 constexpr double machine_look_every_utc_s = 60;
-/// Between readings this far apart the air of a cabinet still goes in a straight line.
-constexpr Duration air_is_straight_over = std::chrono::seconds{60};
 
 /// Readings older than this prove nothing about stability.
 Duration unknown_after(const campaign::Plan& plan, Duration tick) {
@@ -174,10 +171,7 @@ Result<void> CampaignLoop::watch_machine() {
   const Duration t = now();
   if (t < next_machine_look_) return {};
   next_machine_look_ = t + seconds(machine_look_every_utc_s * options_.utc_rate);
-  std::error_code unknown;
-  const auto folder = std::filesystem::absolute(options_.database).parent_path();
-  const auto space = std::filesystem::space(folder, unknown);
-  const auto free = unknown ? UINTMAX_MAX : space.available;
+  const auto free = disk_room(options_.database).value_or(UINTMAX_MAX);
   for (const auto& notice : machine_.look(t, devices_.clock.utc_ns(), free)) {
     if (auto done = journal_.event(t, notice.severity, notice.kind, notice.text); !done)
       return done;
@@ -295,6 +289,7 @@ void CampaignLoop::begin_dwell(const campaign::Visit& visit) {
       wanted.push_back(i);
     }
   }
+  for (std::size_t i = 0; i < boards_.size(); ++i) boards_[i].soak = conditions_.soak(i);
   collector_.begin(now(), wanted);
 }
 
@@ -305,7 +300,7 @@ DwellRow CampaignLoop::row_of(const CollectedDwell& dwell) const {
   row.attempt = dwell_visit_.attempt;
   row.t_start_ns = dwell.samples.empty() ? collector_.began().count() : dwell.samples.front().t_ns;
   row.t_end_ns = dwell.samples.empty() ? now().count() : dwell.samples.back().t_ns;
-  const auto soak = conditions_.soak(dwell.board);
+  const campaign::Soak& soak = boards_[dwell.board].soak;
   row.soak_s = to_seconds(soak.in_band);
   row.timed_soak = soak.timed;
   const Duration from{row.t_start_ns};

@@ -43,6 +43,7 @@ class CampaignLoop {
     SlowStream slow;
     campaign::Presence presence = campaign::Presence::expected;
     std::vector<SlowInterval> waiting{};  ///< closed, not yet merged with the chamber's readings
+    campaign::Soak soak{};                ///< that led to the running dwell
     campaign::SensorFreeze freeze{};
     bool frozen = false;  ///< its temperature is read in breaks, not in the stream
     double break_c = missing;

@@ -21,6 +21,7 @@ Result<void> CampaignLoop::turn_safing() {
   if (done) done = drive_chamber();
   if (done) done = write_slow_stream();
   if (!done) return done;
+  while (hooks_.next_command && hooks_.next_command()) continue;  // refused: nothing follows a trip
   if (hooks_.progress) hooks_.progress(snapshot());
   devices_.clock.sleep_until(began + options_.tick);
   return {};

@@ -51,7 +51,7 @@ Result<void> CampaignLoop::take_intervals(std::size_t board) {
 Result<void> CampaignLoop::write_slow_stream() {
   const Duration t = now();
   const Duration known = track_.latest().value_or(begin_.t);
-  const Duration given_up = t - 2 * std::max(plan_.poll_interval, options_.tick);
+  const Duration given_up = t - air_is_straight_over - plan_.poll_interval;
   for (std::size_t i = 0; i < boards_.size(); ++i) {
     if (auto taken = take_intervals(i); !taken) return taken;
     auto& waiting = boards_[i].waiting;

@@ -33,7 +33,7 @@ std::optional<ChamberReading> ChamberPort::poll(Duration t) {
 void ChamberPort::failed(Duration t, const Error& error) {
   ++failures_;
   trouble_ = to_text(error);
-  if (away()) back_off_.failed(t);
+  if (safe_asked_ && away()) back_off_.failed(t);  // before, every second counts
 }
 
 void ChamberPort::ramp_to(Duration t, Celsius target) {

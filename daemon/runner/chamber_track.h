@@ -8,6 +8,9 @@
 
 namespace gyrocal::runner {
 
+/// Between readings this far apart the air of a cabinet still goes in a straight line.
+inline constexpr Duration air_is_straight_over = std::chrono::seconds{60};
+
 /// The chamber's last readings, and what it did between them: straight lines. Means over the
 /// intervals of the slow stream and over dwells come from here, so that they do not depend on how
 /// polls fall into intervals.

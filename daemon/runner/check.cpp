@@ -3,12 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "daemon/runner/analysis.h"
 #include "daemon/runner/device_lock.h"
+#include "daemon/runner/disk_room.h"
 #include "daemon/runner/progress.h"
 
 namespace gyrocal::runner {
@@ -44,13 +43,6 @@ Result<std::string> look_at_board(const BoardConfig& config, Board& board, const
                      identity->firmware_version, mode.sample_rate_hz);
 }
 
-std::uintmax_t free_at(const std::string& database) {
-  const auto folder = std::filesystem::absolute(database).parent_path();
-  std::error_code unknown;
-  const auto space = std::filesystem::space(folder, unknown);
-  return unknown ? 0 : space.available;
-}
-
 std::pair<double, double> span(const std::vector<Celsius>& setpoints) {
   const auto [low, high] = std::minmax_element(setpoints.begin(), setpoints.end());
   return {low->value, high->value};
@@ -73,7 +65,7 @@ Result<CheckReport> check_campaign(const CampaignConfig& config, Devices& device
   CheckReport report;
   report.plan = *plan;
   report.database = database;
-  report.bytes_free = free_at(database);
+  report.bytes_free = disk_room(database).value_or(0);
   const auto chamber = inspect_chamber(config, devices.chamber);
   report.cost = estimate(*plan, chamber ? chamber->actual : plan->safe);
   report.devices.push_back(
@@ -102,8 +94,8 @@ std::string check_text(const CheckReport& report) {
   row("limits", fmt::format("{:.1f} to {:.1f} degC, what boards and chamber allow together; safe "
                             "setpoint {:.1f} degC",
                             plan.allowed.min.value, plan.allowed.max.value, plan.safe.value));
-  row("duration",
-      fmt::format("{} h:min:s if nothing is disturbed", clock_text(report.cost.duration)));
+  row("duration", fmt::format("{} (h:min:s) if nothing is disturbed and the chamber keeps the ramp",
+                              clock_text(report.cost.duration)));
   row("disk",
       fmt::format("{:.1f} MB needed for {}, {:.1f} MB free{}", double(report.cost.bytes) / megabyte,
                   report.database, double(report.bytes_free) / megabyte,

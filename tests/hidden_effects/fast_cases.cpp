@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/hidden_effects/planted.h"
+#include "tests/hidden_effects/slow_cases.h"
 
 namespace hidden {
 namespace {
