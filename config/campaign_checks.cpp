@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "compensation/wavelet/dwt.h"
+
 namespace gyrocal {
 namespace {
 
@@ -104,6 +106,14 @@ void check_waits(CampaignSections& sections, const CampaignConfig& campaign) {
   }
 }
 
+void check_level(CampaignSections& sections, const CampaignConfig& campaign) {
+  const int deepest = deepest_level(static_cast<std::size_t>(campaign.plan.samples_per_setpoint));
+  if (campaign.analysis.level <= deepest) return;
+  sections.analysis.expected("level", Errc::out_of_range,
+                             fmt::format("at most {}: a dwell has {} samples", deepest,
+                                         campaign.plan.samples_per_setpoint));
+}
+
 }  // namespace
 
 void check_together(CampaignSections& sections, const CampaignConfig& campaign) {
@@ -114,6 +124,7 @@ void check_together(CampaignSections& sections, const CampaignConfig& campaign) 
   check_boards(sections, campaign);
   check_setpoints(sections, campaign);
   check_waits(sections, campaign);
+  check_level(sections, campaign);
 }
 
 }  // namespace gyrocal

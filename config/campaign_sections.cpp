@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <string_view>
 
+#include "compensation/wavelet/boundary.h"
+#include "compensation/wavelet/denoise.h"
+#include "compensation/wavelet/filter_bank.h"
 #include "config/setpoints.h"
 
 namespace gyrocal {
@@ -134,11 +137,17 @@ void read_limits(TomlSection& table, LimitConfig& into) {
 }
 
 void read_analysis(TomlSection& table, AnalysisConfig& into) {
-  // The wavelet library owns the lists of names; it refuses unknown ones before the campaign runs.
+  // The wavelet library owns the lists of names.
+  const auto known = [&table](std::string_view key, const auto& found) {
+    if (!found) table.expected(key, Errc::unknown_name, "one of the " + found.error().advice);
+  };
   into.wavelet = table.text("wavelet", into.wavelet);
+  known("wavelet", find_filter_bank(into.wavelet));
   into.mode = table.text("mode", into.mode);
+  known("mode", find_boundary(into.mode));
   into.level = whole(table, "level", into.level, {1, 20});
   into.rule = table.text("rule", into.rule);
+  known("rule", find_denoise_rule(into.rule));
 }
 
 }  // namespace gyrocal

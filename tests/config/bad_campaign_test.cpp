@@ -115,6 +115,12 @@ TEST_CASE("each mistake in a campaign file is named with its place and its cure"
       {"limits", "dwell_band_k = 0.1", Errc::out_of_range, "every dwell would be rejected"},
       {"limits", "dwell_attempts_max = true", Errc::bad_input, "limits.dwell_attempts_max = true"},
       {"analysis", "level = 0", Errc::out_of_range, "analysis.level = 0: expected a whole number"},
+      {"analysis", "wavelet = \"db44\"", Errc::unknown_name,
+       "analysis.wavelet = \"db44\": expected one of the known wavelets: haar"},
+      {"analysis", "mode = \"mirror\"", Errc::unknown_name, "expected one of the known modes:"},
+      {"analysis", "rule = \"softer\"", Errc::unknown_name, "expected one of the known rules:"},
+      {"plan", "samples_per_setpoint = 20", Errc::out_of_range,
+       "analysis.level is missing: expected at most 4: a dwell has 20 samples"},
       {"plan", "sweep = \"up", Errc::bad_input, "c.toml:4:12: not TOML: "},
       {"plan", "sweep = \"up\"\nsweep = \"up\"", Errc::bad_input, "c.toml:5:"},
   }));
