@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "compensation/values/error.h"
 
@@ -13,6 +14,9 @@ struct sqlite3;
 struct sqlite3_stmt;
 
 namespace gyrocal {
+
+/// One value: NULL, a whole number, a number, a text.
+using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
 
 /// A prepared statement. Parameters and columns count from 0. NaN is bound as NULL and NULL is read
 /// as NaN: both stand for "not measured".
@@ -50,6 +54,7 @@ class Statement {
   [[nodiscard]] double real(int column) const;
   [[nodiscard]] std::string text(int column) const;
   [[nodiscard]] bool is_null(int column) const;
+  [[nodiscard]] Cell cell(int column) const;
   [[nodiscard]] int columns() const;
   [[nodiscard]] std::string column_name(int column) const;
   /// Ready for the next bind_all, whatever happened.

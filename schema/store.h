@@ -22,11 +22,11 @@ struct CampaignRow {
   std::string name;
   std::string config_toml;  ///< the file as read
   std::string software_version;
-  std::int64_t utc_start_ns = 0;
+  std::int64_t utc_start_ns = 0;  ///< 0: unknown, an imported session
   bool simulated = false;
   double time_scale = 1.0;
   int samples_per_setpoint = 0;
-  int sample_rate_hz = 0;
+  double sample_rate_hz = 0;
   double monitor_interval_s = 5;  ///< spacing of the monitor rows
   std::string state;  ///< name of the state machine's state, kept current by set_campaign_state
 };
@@ -54,7 +54,7 @@ struct DwellRow {
   int attempt = 1;  ///< 1-based
   std::int64_t t_start_ns = 0;
   std::int64_t t_end_ns = 0;
-  double soak_s = 0;
+  double soak_s = 0;        ///< missing: unknown
   bool timed_soak = false;  ///< the sensor was too coarse for the asked slope
   double chamber_mean_c = missing;
   double chamber_peak_to_peak_k = missing;
@@ -146,6 +146,53 @@ struct OpenCampaign {
   std::vector<DwellRow> dwells;  ///< all, rejected ones included, in order
 };
 
+struct RigEffectRow {
+  std::string effect;           ///< name in the catalogue
+  std::string law;              ///< empty if the effect has one
+  std::string parameters_json;  ///< name to value, units as in the catalogue
+};
+
+/// What a simulation contains.
+struct RigModelRow {
+  std::string name;
+  std::string sha256;                ///< of model_json
+  std::optional<RigModelId> parent;  ///< what it was made from
+  std::string baseline_json;
+  std::string model_json;  ///< the whole model as its file holds it
+  std::string software_version;
+  std::vector<RigEffectRow> effects;
+};
+
+/// One effect a diagnosis named; gaps are those of the step that added it.
+struct FindingRow {
+  std::string effect;  ///< name in the catalogue, or "unknown"
+  double amplitude = 0;
+  std::string unit;
+  double standard_error = missing;
+  std::string parameters_json;
+  double evidence_nats = missing;
+  double lead_nats = missing;
+  std::string confounded_with_json;
+  std::string tell_apart;
+  std::string description;
+  double gap_before = missing;
+  double gap_after = missing;
+};
+
+struct DiagnosisInsert {
+  std::optional<BoardId> board;  ///< absent: a session directory
+  Axis axis = Axis::z;
+  std::string source;  ///< the session as a person names it
+  RigModelId model_before{};
+  RigModelId model_after{};
+  std::string verdict;  ///< "consistent" "explained" "unexplained" "confounded"
+  double gap_before = 0;
+  double gap_after = 0;
+  std::string report_json;  ///< gyrocal-diagnosis/1, whole
+  std::string software_version;
+  std::vector<FindingRow> findings;  ///< in the order of finding
+};
+
 /// The typed way into the database (DESIGN section 8), used by one thread. One writer; every
 /// function that writes is one transaction and has stored all of it, on disk, when it returns
 /// without error, or nothing. Errors: storage (the message names file and reason), busy (somebody
@@ -180,6 +227,10 @@ class Store {
                                           std::span<const DwellDriftInsert> drifts,
                                           std::span<const ModelInsert> models);
 
+  /// A model already there, by its sha256, is not stored again.
+  [[nodiscard]] Result<RigModelId> add_rig_model(const RigModelRow& model);
+  [[nodiscard]] Result<void> add_diagnosis(const DiagnosisInsert& diagnosis);
+
   // What is read back.
   [[nodiscard]] Result<std::optional<OpenCampaign>> open_campaign() const;  ///< the latest, unended
   [[nodiscard]] Result<std::optional<CampaignId>> latest_campaign() const;
@@ -199,6 +250,8 @@ class Store {
   /// The settings of the campaign's latest analysis.
   [[nodiscard]] Result<std::optional<AnalysisSettings>> analysis_settings(
       CampaignId campaign) const;
+  /// Every rig model, parents before children.
+  [[nodiscard]] Result<std::vector<std::pair<RigModelId, RigModelRow>>> rig_models() const;
   /// One axis of one board as the diagnosis reads it: monitor and accepted dwells in deg/s by the
   /// board's scale factor at its temperature; a dwell's number is its setpoint's ordinal.
   [[nodiscard]] Result<Session> session(CampaignId campaign, BoardId board, Axis axis) const;

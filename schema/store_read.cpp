@@ -16,7 +16,7 @@ CampaignRow campaign_from(const Statement& row) {
   campaign.simulated = row.integer(5) != 0;
   campaign.time_scale = row.real(6);
   campaign.samples_per_setpoint = static_cast<int>(row.integer(7));
-  campaign.sample_rate_hz = static_cast<int>(row.integer(8));
+  campaign.sample_rate_hz = row.real(8);
   campaign.monitor_interval_s = row.real(9);
   campaign.state = row.text(10);
   return campaign;

@@ -8,11 +8,11 @@ CREATE TABLE campaign (  -- one run of a plan over a set of boards
   name                 TEXT NOT NULL CHECK (name <> ''),  -- as in the campaign file
   config_toml          TEXT NOT NULL,  -- the campaign file as read
   software_version     TEXT NOT NULL,  -- of gyrocal when the campaign began
-  utc_start_ns         INTEGER NOT NULL,  -- when t_ns was 0: nanoseconds since 1970 in UTC
+  utc_start_ns         INTEGER NOT NULL,  -- when t_ns was 0: nanoseconds since 1970 in UTC; 0: unknown, an imported session
   simulated            INTEGER NOT NULL CHECK (simulated IN (0, 1)),  -- 1: no real chamber, no real boards
   time_scale           REAL NOT NULL CHECK (time_scale > 0 AND time_scale < 1e6 AND (time_scale = 1 OR simulated = 1)),  -- campaign seconds a wall second
   samples_per_setpoint INTEGER NOT NULL CHECK (samples_per_setpoint >= 1),  -- asked of each dwell
-  sample_rate_hz       INTEGER NOT NULL CHECK (sample_rate_hz >= 1),  -- asked of the boards
+  sample_rate_hz       REAL NOT NULL CHECK (sample_rate_hz > 0 AND sample_rate_hz < 1e9),  -- asked of the boards
   monitor_interval_s   REAL NOT NULL CHECK (monitor_interval_s > 0 AND monitor_interval_s < 1e6),  -- spacing of the rows in monitor
   state                TEXT NOT NULL CHECK (state IN ('preflight', 'ramping', 'soaking', 'logging', 'returning', 'analysing', 'finished', 'paused', 'holding', 'safe', 'aborted'))  -- where it stands; over when finished or aborted
 ) STRICT;
@@ -51,7 +51,7 @@ CREATE TABLE dwell (  -- one board at one setpoint, one attempt
   attempt                INTEGER NOT NULL CHECK (attempt >= 1),  -- 1 is the first
   t_start_ns             INTEGER NOT NULL,  -- logging began
   t_end_ns               INTEGER NOT NULL CHECK (t_end_ns >= t_start_ns),  -- logging ended
-  soak_s                 REAL NOT NULL CHECK (soak_s BETWEEN 0 AND 1e9),  -- in the band before logging
+  soak_s                 REAL CHECK (soak_s BETWEEN 0 AND 1e9),  -- in the band before logging
   timed_soak             INTEGER NOT NULL CHECK (timed_soak IN (0, 1)),  -- 1: by the clock, the board's sensor being too coarse for the asked slope
   chamber_mean_c         REAL CHECK (chamber_mean_c BETWEEN -273.15 AND 1000),  -- air while logging
   chamber_peak_to_peak_k REAL CHECK (chamber_peak_to_peak_k BETWEEN 0 AND 1000),  -- max - min of the air while logging

@@ -3,7 +3,7 @@ SELECT
   campaign.id AS campaign_id,  -- campaign.id
   campaign.name AS campaign,  -- campaign's name
   campaign.state,  -- of the state machine
-  datetime(campaign.utc_start_ns / 1000000000, 'unixepoch') AS utc_start,  -- when it began
+  datetime(nullif(campaign.utc_start_ns, 0) / 1000000000, 'unixepoch') AS utc_start,  -- when it began; NULL: unknown
   (SELECT count(*) FROM board WHERE board.campaign_id = campaign.id) AS boards,  -- taking part
   (SELECT count(*) FROM setpoint WHERE setpoint.campaign_id = campaign.id) AS setpoints,  -- planned
   (SELECT count(DISTINCT dwell.ordinal) FROM dwell WHERE dwell.campaign_id = campaign.id AND dwell.reject_reason IS NULL) AS setpoints_logged,  -- with an accepted dwell of any board

@@ -23,7 +23,7 @@ TEST_CASE("a group with one impossible dwell is refused whole", "[store][bad]") 
   SECTION("a board nobody added") { bad.board = BoardId{99}; }
   SECTION("it ends before it starts") { bad.t_end_ns = bad.t_start_ns - 1; }
   SECTION("an infinite temperature") { bad.chamber_mean_c = infinite; }
-  SECTION("a soak without a number") { bad.soak_s = missing; }
+  SECTION("a soak that lasted less than nothing") { bad.soak_s = -1; }
   SECTION("attempt 0") { bad.attempt = 0; }
   SECTION("an empty reason") { bad.reject_reason = ""; }
   SECTION("a second accepted dwell of a setpoint") {
