@@ -30,8 +30,10 @@ Result<std::vector<DwellDeviation>> dwell_deviations(const WhiteDwells& dwells,
     if (auto done = denoiser.run(samples, filtered); !done) {
       return tl::unexpected(std::move(done.error()));
     }
-    deviations.push_back({left_over(samples).standard_deviation_dps,
-                          left_over(filtered.denoised).standard_deviation_dps});
+    const LeftOver before = left_over(samples);
+    const LeftOver after = left_over(filtered.denoised);
+    deviations.push_back({before.standard_deviation_dps, after.standard_deviation_dps,
+                          std::abs(after.mean_dps - before.mean_dps)});
   }
   return deviations;
 }

@@ -17,10 +17,11 @@ struct WhiteDwells {
   std::uint64_t seed = 1;
 };
 
-/// Standard deviations of one dwell [deg/s], divisor n - 1.
+/// Standard deviations of one dwell [deg/s], divisor n - 1, and how far the filter moves its mean.
 struct DwellDeviation {
   double raw_dps = 0;
   double filtered_dps = 0;
+  double mean_moved_dps = 0;  ///< |mean after - mean before|
 };
 
 /// Simulates the dwells and filters each. The same seed gives the same numbers on every machine.

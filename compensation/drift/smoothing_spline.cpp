@@ -172,13 +172,23 @@ double chosen_lambda(const Problem& p) {
   constexpr double golden = 0.6180339887498949;
   double low = best - cell;
   double high = best + cell;
-  for (int i = 0; i < 30; ++i) {
-    const double a = high - golden * (high - low);
-    const double b = low + golden * (high - low);
-    if (score(a) <= score(b)) {
-      high = b;
+  double left = high - golden * (high - low);
+  double right = low + golden * (high - low);
+  double left_score = score(left);
+  double right_score = score(right);
+  for (int i = 0; i < 24; ++i) {  // 1e-5 of a cell
+    if (left_score <= right_score) {
+      high = right;
+      right = left;
+      right_score = left_score;
+      left = high - golden * (high - low);
+      left_score = score(left);
     } else {
-      low = a;
+      low = left;
+      left = right;
+      left_score = right_score;
+      right = low + golden * (high - low);
+      right_score = score(right);
     }
   }
   return std::exp(natural + 0.5 * (low + high));

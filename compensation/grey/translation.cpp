@@ -11,8 +11,8 @@ double ratio_limit(Eigen::Index n) { return std::exp(2.0 / static_cast<double>(n
 }  // namespace
 
 double translation_for(const Eigen::Ref<const Eigen::VectorXd>& drift_dps) {
+  if (drift_dps.size() == 0 || drift_dps.minCoeff() > 0) return 0;
   const double low = drift_dps.minCoeff();
-  if (low > 0) return 0;
   const double range = drift_dps.maxCoeff() - low;
   const double limit = ratio_limit(drift_dps.size());
   double least = -low;

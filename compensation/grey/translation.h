@@ -9,7 +9,7 @@ namespace gyrocal {
 /// every value is > 0; otherwise the least translation for which every class ratio lies in the
 /// band below, plus the range of the series. GM(1,1) is not invariant under it, which is why it is
 /// stored with the model.
-/// @param drift_dps  n >= 1 values, finite.
+/// @param drift_dps  n values, finite; 0 for none.
 [[nodiscard]] double translation_for(const Eigen::Ref<const Eigen::VectorXd>& drift_dps);
 
 /// The class-ratio check: GM(1,1) suits a series whose ratios x0(k-1) / x0(k) all lie inside

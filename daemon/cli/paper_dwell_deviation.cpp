@@ -22,6 +22,7 @@ struct LevelDeviation {
   double raw_dps = 0;       ///< pooled over the dwells
   double filtered_dps = 0;  ///< pooled over the dwells
   double lowest_dps = 0, highest_dps = 0;
+  double mean_moved_max_dps = 0;
 };
 
 LevelDeviation pooled(int level, const std::vector<DwellDeviation>& dwells) {
@@ -31,6 +32,7 @@ LevelDeviation pooled(int level, const std::vector<DwellDeviation>& dwells) {
     sum.filtered_dps += dwell.filtered_dps * dwell.filtered_dps;
     sum.lowest_dps = std::min(sum.lowest_dps, dwell.filtered_dps);
     sum.highest_dps = std::max(sum.highest_dps, dwell.filtered_dps);
+    sum.mean_moved_max_dps = std::max(sum.mean_moved_max_dps, dwell.mean_moved_dps);
   }
   const auto n = static_cast<double>(dwells.size());
   sum.raw_dps = std::sqrt(sum.raw_dps / n);
@@ -74,9 +76,11 @@ void print_levels(const WhiteDwells& dwells, const std::vector<LevelDeviation>& 
   }
   fmt::print(
       "\nThe paper: {:.4f} before, {:.4f} after; no level named. Level {} leaves {:.4f} of white "
-      "noise, single dwells {:.4f} to {:.4f}.\n",
+      "noise, single dwells {:.4f} to {:.4f}.\nIt moves a dwell's mean by at most {:.4f}: the zero "
+      "drift is "
+      "that of a plain mean.\n",
       paper_raw_deviation_dps, paper_filtered_deviation_dps, nearest.level, nearest.filtered_dps,
-      nearest.lowest_dps, nearest.highest_dps);
+      nearest.lowest_dps, nearest.highest_dps, nearest.mean_moved_max_dps);
 }
 
 }  // namespace
@@ -104,7 +108,8 @@ int report_dwell_deviation(std::uint64_t seed, bool as_json) {
                               {"raw_dps", row.raw_dps},
                               {"filtered_dps", row.filtered_dps},
                               {"lowest_dps", row.lowest_dps},
-                              {"highest_dps", row.highest_dps}});
+                              {"highest_dps", row.highest_dps},
+                              {"mean_moved_max_dps", row.mean_moved_max_dps}});
   }
   fmt::print("{}\n", json.dump());
   return exit_done;

@@ -51,3 +51,12 @@ TEST_CASE("the same seed gives the same dwells", "[drift]") {
   CHECK(once->front().raw_dps !=
         dwell_deviations(other, default_denoise_settings())->front().raw_dps);
 }
+
+TEST_CASE("the filter leaves the mean of a dwell where it was", "[drift]") {
+  // A tenth of the mean's own standard error, 1.3102 / sqrt(3000).
+  const auto dwells = dwell_deviations({}, default_denoise_settings());
+  REQUIRE(dwells.has_value());
+  for (const auto& dwell : *dwells) {
+    CHECK(dwell.mean_moved_dps < 0.1 * 1.3102 / std::sqrt(3000));
+  }
+}

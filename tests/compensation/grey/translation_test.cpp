@@ -36,3 +36,7 @@ TEST_CASE("the class ratios that leave the band are named", "[grey]") {
   CHECK(ratios.outside == std::vector<std::size_t>{2});
   CHECK(ratios.ratio[1] == Approx(0.4));
 }
+
+TEST_CASE("no values need no translation", "[grey][bad input]") {
+  CHECK(translation_for(Eigen::VectorXd(0)) == 0);
+}
