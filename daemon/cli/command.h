@@ -17,12 +17,8 @@ using AddCommand = void (*)(CLI::App& root, Chosen& chosen);
 void add_all_commands(CLI::App& root, Chosen& chosen);
 
 void add_compensate(CLI::App& root, Chosen& chosen);
-<<<<<<< HEAD
-=======
-void add_denoise(CLI::App& root, Chosen& chosen);
 void add_db(CLI::App& root, Chosen& chosen);
 void add_export(CLI::App& root, Chosen& chosen);
->>>>>>> dd43d4b (cli: gyrocal import, export and db)
 void add_firmware(CLI::App& root, Chosen& chosen);
 void add_check(CLI::App& root, Chosen& chosen);
 void add_fit(CLI::App& root, Chosen& chosen);

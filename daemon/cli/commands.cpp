@@ -4,14 +4,9 @@ namespace gyrocal::cli {
 
 void add_all_commands(CLI::App& root, Chosen& chosen) {
   constexpr AddCommand all[] = {
-<<<<<<< HEAD
-      add_check,      add_run,      add_status, add_make_safe, add_fit,
-      add_compensate, add_firmware, add_paper,  add_rig,       add_version,
-=======
-      add_check,      add_run,      add_status,  add_make_safe, add_fit,
-      add_compensate, add_firmware, add_paper,   add_rig,       add_import,
-      add_export,     add_db,       add_version, add_allan,     add_denoise,
->>>>>>> dd43d4b (cli: gyrocal import, export and db)
+      add_check,    add_run,   add_status, add_make_safe, add_fit,    add_compensate,
+      add_firmware, add_paper, add_rig,    add_import,    add_export, add_db,
+      add_version,
   };
   for (const AddCommand add : all) add(root, chosen);
 }
