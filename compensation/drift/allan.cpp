@@ -10,25 +10,32 @@
 namespace gyrocal {
 namespace {
 
-Result<void> check(std::span<const double> rate, double sample_rate_hz,
-                   std::span<const std::size_t> factors) {
-  if (!(sample_rate_hz > 0) || !std::isfinite(sample_rate_hz)) {
-    return fail(Errc::out_of_range, fmt::format("a sample rate of {} Hz", sample_rate_hz),
-                "expected a positive number");
-  }
-  if (rate.size() < 2) {
-    return fail(Errc::too_few_points, fmt::format("an Allan deviation of {} samples", rate.size()),
-                "expected at least 2, better some thousand");
-  }
+Result<void> check_finite(std::span<const double> rate) {
   for (std::size_t i = 0; i < rate.size(); ++i) {
     if (std::isfinite(rate[i])) continue;
     return fail(Errc::not_finite, fmt::format("sample {} of {} is {}", i, rate.size(), rate[i]),
                 "cut the series at samples that are no numbers (the first sample is 0)");
   }
+  return {};
+}
+
+Result<void> check(RatePieces pieces, double sample_rate_hz, std::span<const std::size_t> factors) {
+  if (!(sample_rate_hz > 0) || !std::isfinite(sample_rate_hz)) {
+    return fail(Errc::out_of_range, fmt::format("a sample rate of {} Hz", sample_rate_hz),
+                "expected a positive number");
+  }
+  const std::size_t longest = longest_of(pieces);
+  if (longest < 2) {
+    return fail(Errc::too_few_points, fmt::format("an Allan deviation of {} samples", longest),
+                "expected at least 2, better some thousand");
+  }
+  for (const auto piece : pieces) {
+    if (const auto finite = check_finite(piece); !finite) return finite;
+  }
   for (const std::size_t m : factors) {
-    if (m >= 1 && 2 * m <= rate.size()) continue;
+    if (m >= 1 && 2 * m <= longest) continue;
     return fail(Errc::out_of_range, fmt::format("averaging factor {}", m),
-                fmt::format("expected 1 to {}", rate.size() / 2));
+                fmt::format("expected 1 to {}", longest / 2));
   }
   return {};
 }
@@ -44,12 +51,17 @@ std::vector<double> running_sum(std::span<const double> rate) {
   return sum;
 }
 
-double allan_variance(std::span<const double> sum, std::size_t m) {
-  const std::size_t terms = sum.size() - 2 * m;
+double allan_variance(const std::vector<std::vector<double>>& sums, std::size_t m) {
   double squares = 0;
-  for (std::size_t j = 0; j < terms; ++j) {
-    const double second = sum[j + 2 * m] - 2 * sum[j + m] + sum[j];
-    squares += second * second;
+  std::size_t terms = 0;
+  for (const std::vector<double>& sum : sums) {
+    if (sum.size() < 2 * m + 1) continue;
+    const std::size_t here = sum.size() - 2 * m;
+    for (std::size_t j = 0; j < here; ++j) {
+      const double second = sum[j + 2 * m] - 2 * sum[j + m] + sum[j];
+      squares += second * second;
+    }
+    terms += here;
   }
   const auto averaged = static_cast<double>(m);
   return squares / (2 * averaged * averaged * static_cast<double>(terms));
@@ -63,12 +75,16 @@ double slope_at(std::span<const AllanPoint> points, std::size_t i) {
   return 2 * std::log(after.deviation / before.deviation) / std::log(after.tau_s / before.tau_s);
 }
 
-void add_confidence(std::size_t samples, std::vector<AllanPoint>& points) {
+void add_confidence(RatePieces pieces, std::vector<AllanPoint>& points) {
   constexpr double tail = 0.025;
   for (std::size_t i = 0; i < points.size(); ++i) {
     AllanPoint& point = points[i];
-    const double freedom =
-        allan_degrees_of_freedom(samples, point.averaged, noise_of_slope(slope_at(points, i)));
+    const RateNoise noise = noise_of_slope(slope_at(points, i));
+    double freedom = 0;
+    for (const auto piece : pieces) {
+      if (piece.size() < 2 * point.averaged) continue;
+      freedom += allan_degrees_of_freedom(piece.size(), point.averaged, noise);
+    }
     point.degrees_of_freedom = freedom;
     point.deviation_low =
         point.deviation * std::sqrt(freedom / chi_squared_quantile(freedom, 1 - tail));
@@ -89,24 +105,38 @@ std::vector<std::size_t> allan_factors(std::size_t samples, int per_decade) {
   }
 }
 
-Result<std::vector<AllanPoint>> overlapping_allan(std::span<const double> rate,
-                                                  double sample_rate_hz,
+std::size_t longest_of(RatePieces pieces) {
+  std::size_t longest = 0;
+  for (const auto piece : pieces) longest = std::max(longest, piece.size());
+  return longest;
+}
+
+Result<std::vector<AllanPoint>> overlapping_allan(RatePieces pieces, double sample_rate_hz,
                                                   std::span<const std::size_t> factors) {
-  if (const auto good = check(rate, sample_rate_hz, factors); !good) {
+  if (const auto good = check(pieces, sample_rate_hz, factors); !good) {
     return tl::unexpected(good.error());
   }
-  const std::vector<double> sum = running_sum(rate);
+  std::vector<std::vector<double>> sums;
+  for (const auto piece : pieces) {
+    if (piece.size() >= 2) sums.push_back(running_sum(piece));
+  }
   std::vector<AllanPoint> points;
   for (const std::size_t m : factors) {
     points.push_back({.averaged = m,
                       .tau_s = static_cast<double>(m) / sample_rate_hz,
-                      .deviation = std::sqrt(allan_variance(sum, m)),
+                      .deviation = std::sqrt(allan_variance(sums, m)),
                       .deviation_low = 0,
                       .deviation_high = 0,
                       .degrees_of_freedom = 0});
   }
-  add_confidence(rate.size(), points);
+  add_confidence(pieces, points);
   return points;
+}
+
+Result<std::vector<AllanPoint>> overlapping_allan(std::span<const double> rate,
+                                                  double sample_rate_hz,
+                                                  std::span<const std::size_t> factors) {
+  return overlapping_allan(RatePieces(&rate, 1), sample_rate_hz, factors);
 }
 
 }  // namespace gyrocal

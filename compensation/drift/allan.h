@@ -21,15 +21,26 @@ struct AllanPoint {
 /// Averaging factors 1, ..., floor(n / 2), `per_decade` to a decade where they differ.
 [[nodiscard]] std::vector<std::size_t> allan_factors(std::size_t samples, int per_decade);
 
-/// Overlapping Allan deviation of a rate sampled evenly:
-///   sigma^2(m) = sum_j (s(j+2m) - 2 s(j+m) + s(j))^2 / (2 m^2 (n - 2m + 1)),
-/// s the running sum of the rate. The degrees of freedom are those of the power law whose slope the
-/// deviation has at m: white rate noise, flicker or random walk.
-/// Source: Riley, NIST SP 1065, Eq. (11) and Table 5.
-/// @param rate  n values; n >= 2, finite. A hole in time would read as correlation: cut there.
-/// @param factors  each from 1 to n / 2, rising.
-/// @return a point each; too_few_points, not_finite, out_of_range. O(n) a point.
+/// Stretches of a rate without a hole in time, each with a mean of its own: the dwells of a
+/// session, or what lost samples left of one dwell.
+using RatePieces = std::span<const std::span<const double>>;
+
+/// Overlapping Allan deviation of a rate sampled evenly, over all pieces that are long enough:
+///   sigma^2(m) = sum_j (s(j+2m) - 2 s(j+m) + s(j))^2 / (2 m^2 terms),
+/// s the running sum of a piece; a piece of n samples gives n - 2m + 1 terms. The degrees of
+/// freedom are those of the power law whose slope the deviation has at m: white rate noise, flicker
+/// or random walk. Source: Riley, NIST SP 1065, Eq. (11) and Table 5.
+/// @param factors  each from 1 to half the longest piece, rising.
+/// @return a point each; too_few_points (no piece of 2 samples), not_finite, out_of_range. O(n) a
+///         point.
+[[nodiscard]] Result<std::vector<AllanPoint>> overlapping_allan(
+    RatePieces pieces, double sample_rate_hz, std::span<const std::size_t> factors);
+
+/// The same for one piece.
 [[nodiscard]] Result<std::vector<AllanPoint>> overlapping_allan(
     std::span<const double> rate, double sample_rate_hz, std::span<const std::size_t> factors);
+
+/// Samples of the longest piece.
+[[nodiscard]] std::size_t longest_of(RatePieces pieces);
 
 }  // namespace gyrocal

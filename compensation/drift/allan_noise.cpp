@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "compensation/drift/allan.h"
 #include "compensation/drift/allan_confidence.h"
 #include "compensation/drift/mean_error.h"
 
@@ -78,12 +77,13 @@ struct Fitted {
   std::vector<ObservedVariance> observed;
 };
 
-Result<Fitted> fitted_to(std::span<const double> rate, double sample_rate_hz) {
-  if (rate.size() < fewest_samples) {
-    return fail(Errc::too_few_points, fmt::format("the noise of {} samples", rate.size()),
+Result<Fitted> fitted_to(RatePieces pieces, double sample_rate_hz) {
+  const std::size_t longest = longest_of(pieces);
+  if (longest < fewest_samples) {
+    return fail(Errc::too_few_points, fmt::format("the noise of {} samples", longest),
                 fmt::format("expected at least {}, better some thousand", fewest_samples));
   }
-  const auto points = overlapping_allan(rate, sample_rate_hz, octaves(rate.size()));
+  const auto points = overlapping_allan(pieces, sample_rate_hz, octaves(longest));
   if (!points) return tl::unexpected(points.error());
   Fitted fitted;
   AllanNoise& noise = fitted.noise;
@@ -94,7 +94,7 @@ Result<Fitted> fitted_to(std::span<const double> rate, double sample_rate_hz) {
 
   std::vector<ObservedVariance>& observed = fitted.observed;
   observed = observed_from(*points);
-  const double longest_correlation = static_cast<double>(rate.size()) / 16;
+  const double longest_correlation = static_cast<double>(longest) / 16;
   for (;; observed.erase(observed.begin())) {
     noise.model = choose_noise(observed, longest_correlation, parameter_penalty);
     noise.described = describes(noise.model, observed);
@@ -110,15 +110,19 @@ double AllanNoise::variance_at(double tau_s) const {
   return model.variance_at(tau_s * sample_rate_hz);
 }
 
-Result<AllanNoise> fit_allan_noise(std::span<const double> rate, double sample_rate_hz) {
-  auto fitted = fitted_to(rate, sample_rate_hz);
+Result<AllanNoise> fit_allan_noise(RatePieces pieces, double sample_rate_hz) {
+  auto fitted = fitted_to(pieces, sample_rate_hz);
   if (!fitted) return tl::unexpected(fitted.error());
   if (!fitted->observed.empty()) add_coefficients(fitted->observed, fitted->noise);
   return fitted->noise;
 }
 
+Result<AllanNoise> fit_allan_noise(std::span<const double> rate, double sample_rate_hz) {
+  return fit_allan_noise(RatePieces(&rate, 1), sample_rate_hz);
+}
+
 Result<double> standard_error_of_mean(std::span<const double> rate, double sample_rate_hz) {
-  const auto fitted = fitted_to(rate, sample_rate_hz);
+  const auto fitted = fitted_to(RatePieces(&rate, 1), sample_rate_hz);
   if (!fitted) return tl::unexpected(fitted.error());
   return std::sqrt(fitted->noise.model.variance_at(static_cast<double>(rate.size())));
 }

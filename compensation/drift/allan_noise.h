@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 
+#include "compensation/drift/allan.h"
 #include "compensation/drift/allan_likelihood.h"
 #include "compensation/values/error.h"
 
@@ -40,8 +41,13 @@ struct AllanNoise {
 /// data); a kind of noise stays if it raises twice the log likelihood by more than 8 a parameter;
 /// intervals are profile likelihoods. Short averages are left out, octave by octave, while the sum
 /// does not describe them (0.1 % level).
-/// @param rate  n values sampled evenly; n >= 32, finite. A constant series has no noise: all 0.
+/// @param pieces  sampled evenly; the longest holds n >= 32 samples, all finite. A constant rate
+/// has
+///                no noise: all 0.
 /// @return the coefficients; too_few_points, not_finite, out_of_range (sample rate).
+[[nodiscard]] Result<AllanNoise> fit_allan_noise(RatePieces pieces, double sample_rate_hz);
+
+/// The same for one piece.
 [[nodiscard]] Result<AllanNoise> fit_allan_noise(std::span<const double> rate,
                                                  double sample_rate_hz);
 

@@ -16,7 +16,9 @@ using AddCommand = void (*)(CLI::App& root, Chosen& chosen);
 /// Every subcommand of `gyrocal`, in the order `--help` shows them.
 void add_all_commands(CLI::App& root, Chosen& chosen);
 
+void add_allan(CLI::App& root, Chosen& chosen);
 void add_compensate(CLI::App& root, Chosen& chosen);
+void add_denoise(CLI::App& root, Chosen& chosen);
 void add_db(CLI::App& root, Chosen& chosen);
 void add_export(CLI::App& root, Chosen& chosen);
 void add_firmware(CLI::App& root, Chosen& chosen);

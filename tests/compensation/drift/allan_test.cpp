@@ -75,6 +75,17 @@ TEST_CASE("the 95 % interval of two samples is wide and lopsided", "[allan]") {
   CHECK(std::abs(point.deviation_high / point.deviation - 28.34) < 0.01);
 }
 
+TEST_CASE("pieces are pooled term by term, each with its own mean", "[allan]") {
+  const std::vector<double> first{1, 2, 4};
+  const std::vector<double> second{1000, 1003};
+  const std::vector<std::span<const double>> pieces{first, second};
+  const std::vector<std::size_t> factors{1};
+  const auto points = overlapping_allan(pieces, 1.0, factors).value();
+  // differences 1, 2 and 3
+  CHECK(std::abs(points.at(0).deviation - std::sqrt((1.0 + 4.0 + 9.0) / (2 * 3))) < 1e-12);
+  CHECK(longest_of(pieces) == 3);
+}
+
 TEST_CASE("bad input is named", "[allan]") {
   const std::vector<std::size_t> one{1};
   const std::vector<std::size_t> three{3};
