@@ -48,8 +48,8 @@ void analyse_level(std::span<const double> signal, const FilterBank& bank, Bound
                    std::span<double> low, std::span<double> high) {
   const std::size_t half_taps = bank.taps() / 2;
   GYROCAL_ASSERT(!signal.empty() && half_taps <= max_half_taps && low.size() == high.size());
-  std::array<double, block_outputs + max_half_taps - 1> even;
-  std::array<double, block_outputs + max_half_taps - 1> odd;
+  alignas(64) std::array<double, block_outputs + max_half_taps - 1> even;
+  alignas(64) std::array<double, block_outputs + max_half_taps - 1> odd;
   for (std::size_t at = 0; at < low.size(); at += block_outputs) {
     const std::size_t count = std::min(block_outputs, low.size() - at);
     const std::ptrdiff_t begin =

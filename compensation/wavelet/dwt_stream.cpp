@@ -50,8 +50,8 @@ struct Level {
 
 /// What all levels share, small enough to stay in the L1 cache.
 struct Scratch {
-  std::array<double, chunk / 2 + 2 * max_taps> even;
-  std::array<double, chunk / 2 + 2 * max_taps> odd;
+  alignas(64) std::array<double, chunk / 2 + 2 * max_taps> even;
+  alignas(64) std::array<double, chunk / 2 + 2 * max_taps> odd;
 };
 
 /// All outputs that `held` values of input allow; the approximations go to `low`.
