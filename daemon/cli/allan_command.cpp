@@ -11,7 +11,9 @@
 #include "daemon/cli/csv_columns.h"
 #include "daemon/cli/number_list.h"
 #include "daemon/cli/outcome.h"
+#include "daemon/cli/stored_drift.h"
 #include "schema/session/session_csv.h"
+#include "schema/store.h"
 
 namespace gyrocal::cli {
 namespace {
@@ -21,6 +23,9 @@ struct AllanOptions {
   std::string table;
   std::string column = "gyro_z_dps";
   std::string session;
+  std::string database;
+  std::string board;
+  std::string axis = "z";
   std::optional<int> dwell;
   bool as_json = false;
 };
@@ -37,18 +42,41 @@ struct Answer {
   AllanNoise noise;
 };
 
+/// @param source  for messages: the folder or the database.
+Result<Rate> rate_of_dwells(const Session& session, const std::string& source,
+                            std::optional<int> dwell) {
+  Rate rate{unbroken_pieces(session.samples, dwell), session.sample_rate_hz};
+  if (!rate.pieces.empty()) return rate;
+  std::string known;
+  for (const SessionDwell& one : session.dwells) known += fmt::format(" {}", one.dwell);
+  return fail(Errc::too_few_points,
+              dwell ? fmt::format("{} has no gyro sample in dwell {}", source, *dwell)
+                    : fmt::format("{} has no gyro sample in any dwell", source),
+              "its dwells:" + known);
+}
+
 Result<Rate> rate_of_session(const AllanOptions& options) {
   const auto session = read_session(options.session);
   if (!session) return tl::unexpected(session.error());
-  Rate rate{unbroken_pieces(session->samples, options.dwell), session->sample_rate_hz};
-  if (!rate.pieces.empty()) return rate;
-  std::string known;
-  for (const SessionDwell& dwell : session->dwells) known += fmt::format(" {}", dwell.dwell);
-  return fail(Errc::too_few_points,
-              options.dwell ? fmt::format("{} has no gyro sample in dwell {}", options.session,
-                                          *options.dwell)
-                            : fmt::format("{} has no gyro sample in any dwell", options.session),
-              "dwells in session.json:" + known);
+  return rate_of_dwells(*session, options.session, options.dwell);
+}
+
+Result<Rate> rate_of_database(const AllanOptions& options) {
+  const auto store = Store::open_read_only(options.database);
+  if (!store) return tl::unexpected(store.error());
+  const auto sensors = sensors_of(*store, options.board, options.axis);
+  if (!sensors) return tl::unexpected(sensors.error());
+  if (sensors->size() != 1) {
+    std::string names;
+    for (const StoredSensor& sensor : *sensors) names += ' ' + sensor.board.name;
+    return fail(Errc::bad_input,
+                fmt::format("{} has {} boards with that axis", options.database, sensors->size()),
+                "choose one with --board:" + names);
+  }
+  const StoredSensor& sensor = sensors->front();
+  const auto session = store->session(sensor.campaign, sensor.id, sensor.axis);
+  if (!session) return tl::unexpected(session.error());
+  return rate_of_dwells(*session, options.database, options.dwell);
 }
 
 Result<Rate> rate_of_table(const AllanOptions& options) {
@@ -73,6 +101,7 @@ Result<Rate> rate_of_standard_input(const AllanOptions& options) {
 
 Result<Rate> rate_of(const AllanOptions& options) {
   if (!options.session.empty()) return rate_of_session(options);
+  if (!options.database.empty()) return rate_of_database(options);
   if (!options.table.empty()) return rate_of_table(options);
   return rate_of_standard_input(options);
 }
@@ -188,6 +217,7 @@ void add_allan(CLI::App& root, Chosen& chosen) {
       "Example: gyrocal allan --rate-hz 50 < dwell.txt\n"
       "         gyrocal allan --table long_run.csv --column gyro_z_dps --rate-hz 50\n"
       "         gyrocal allan --session monday --dwell 3\n"
+      "         gyrocal allan --db demo.db --board board0 --axis z\n"
       "Overlapping Allan deviation of a rate in deg/s, with angle random walk and bias "
       "instability.");
   auto* rate =
@@ -200,8 +230,17 @@ void add_allan(CLI::App& root, Chosen& chosen) {
   auto* session = command->add_option("--session", options->session, "a session directory instead")
                       ->excludes(table)
                       ->excludes(rate);
-  command->add_option("--dwell", options->dwell, "one dwell of it; all if left out")
-      ->needs(session);
+  auto* database = command
+                       ->add_option("--db", options->database,
+                                    "a campaign's database instead: the latest campaign in it")
+                       ->excludes(table)
+                       ->excludes(session)
+                       ->excludes(rate);
+  command->add_option("--board", options->board, "its board; the only one if left out")
+      ->needs(database);
+  command->add_option("--axis", options->axis, "x, y or z")->capture_default_str()->needs(database);
+  command->add_option("--dwell", options->dwell,
+                      "one dwell of the session or database; all if left out");
   command->add_flag("--json", options->as_json, "print JSON");
   command->callback([options, &chosen] { chosen = [options] { return allan(*options); }; });
 }
