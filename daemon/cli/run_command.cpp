@@ -55,7 +55,11 @@ int run(const Options& options) {
   hooks.progress = [&](const runner::Snapshot& now) { progress.show(now); };
   hooks.log = [&](const EventInsert& event) { progress.show(event); };
   const auto outcome = runner::run_requested(request, hooks, print_models);
-  return outcome ? exit_code(*outcome) : report(outcome.error());
+  if (!outcome) return report(outcome.error());
+  if (const auto* safe = std::get_if<campaign::Safe>(&outcome->state)) {
+    fmt::print(stderr, "gyrocal: ended in its safe state: {}\n", safe->why);
+  }
+  return exit_code(*outcome);
 }
 
 }  // namespace

@@ -19,28 +19,49 @@ struct Options {
   bool as_json = false;
 };
 
-/// The socket of the campaign a person means: of a file, of a name, or of the only one that runs.
-Result<std::string> socket_meant(const std::string& campaign) {
+std::vector<std::string> sockets_of_running_campaigns() {
   namespace fs = std::filesystem;
+  std::vector<std::string> running;
+  for (const auto& folder : runner::folders_of_running_campaigns()) {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder, none)) {
+      if (entry.path().extension() == ".sock") running.push_back(entry.path().string());
+    }
+  }
+  std::sort(running.begin(), running.end());
+  return running;
+}
+
+std::string campaign_of(const std::string& socket) {
+  return std::filesystem::path(socket).stem().string();
+}
+
+/// The socket of the campaign a person means: of a file, of a name, or of the only one that runs.
+Result<std::string> socket_meant(std::string campaign) {
   if (campaign.ends_with(".toml")) {
     const auto config = read_campaign(campaign);
     if (!config) return tl::unexpected(config.error());
-    return runner::control_path(config->name);
+    campaign = config->name;
   }
-  if (!campaign.empty()) return runner::control_path(campaign);
-  std::vector<std::string> running;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(runner::runtime_folder(), none)) {
-    if (entry.path().extension() == ".sock") running.push_back(entry.path().string());
-  }
-  if (running.size() == 1) return running.front();
-  std::sort(running.begin(), running.end());
+  const auto running = sockets_of_running_campaigns();
+  if (campaign.empty() && running.size() == 1) return running.front();
   std::string names;
-  for (const auto& path : running) names += " " + fs::path(path).stem().string();
-  return fail(Errc::link_lost,
-              running.empty() ? "no campaign runs (no socket in " + runner::runtime_folder() + ")"
-                              : "several campaigns run:" + names,
-              running.empty() ? "begin one: gyrocal run CAMPAIGN.toml" : "name one of them");
+  for (const auto& socket : running) {
+    if (campaign_of(socket) == campaign) return socket;
+    names += " " + campaign_of(socket);
+  }
+  if (running.empty()) {
+    return fail(
+        Errc::link_lost,
+        fmt::format("no campaign runs{} (no socket in {})",
+                    campaign.empty() ? "" : " by the name " + campaign, runner::runtime_folder()),
+        "begin one: gyrocal run CAMPAIGN.toml");
+  }
+  if (campaign.empty()) {
+    return fail(Errc::link_lost, "several campaigns run:" + names, "name one of them");
+  }
+  return fail(Errc::link_lost, "campaign " + campaign + " does not run; these do:" + names,
+              "name one of them");
 }
 
 int tell(const std::string& command, const Options& options) {

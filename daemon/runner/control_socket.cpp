@@ -22,6 +22,7 @@ constexpr std::size_t line_max = 64;
 constexpr std::size_t clients_max = 8;
 constexpr mode_t owner_and_group = 0660;
 constexpr timeval patience{10, 0};
+constexpr char unit_folder[] = "/run/gyrocal";
 
 Result<sockaddr_un> address_of(const std::string& path) {
   sockaddr_un address{};
@@ -62,13 +63,20 @@ bool answers(const sockaddr_un& address) {
 
 std::string runtime_folder() {
   if (const char* unit = std::getenv("RUNTIME_DIRECTORY")) return unit;
-  if (const char* session = std::getenv("XDG_RUNTIME_DIR")) return std::string(session) + "/gyrocal";
-  if (::getuid() == 0) return "/run/gyrocal";
+  if (const char* session = std::getenv("XDG_RUNTIME_DIR"))
+    return std::string(session) + "/gyrocal";
+  if (::getuid() == 0) return unit_folder;
   return fmt::format("/tmp/gyrocal-{}", ::getuid());
 }
 
 std::string control_path(const std::string& campaign_name) {
   return runtime_folder() + "/" + campaign_name + ".sock";
+}
+
+std::vector<std::string> folders_of_running_campaigns() {
+  std::vector<std::string> folders{runtime_folder()};
+  if (folders.front() != unit_folder) folders.push_back(unit_folder);
+  return folders;
 }
 
 ControlSocket::ControlSocket(UniqueFd listener, std::string path)

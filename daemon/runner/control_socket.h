@@ -15,9 +15,11 @@ namespace gyrocal::runner {
 /// $XDG_RUNTIME_DIR/gyrocal, else /run/gyrocal for root, /tmp/gyrocal-UID for others.
 [[nodiscard]] std::string runtime_folder();
 [[nodiscard]] std::string control_path(const std::string& campaign_name);
+/// Where a person's command looks for them: the folder above, and that of systemd units.
+[[nodiscard]] std::vector<std::string> folders_of_running_campaigns();
 
-/// A running campaign's ear: one line in ("status", "pause", "resume", "skip", "abort"), one line of
-/// JSON back. Who may write to the socket's file may command (owner and group). Served from the
+/// A running campaign's ear: one line in ("status", "pause", "resume", "skip", "abort"), one line
+/// of JSON back. Who may write to the socket's file may command (owner and group). Served from the
 /// campaign's own loop; nothing here waits.
 class ControlSocket {
  public:

@@ -15,7 +15,7 @@ Journal::Journal(Store& store, CampaignId campaign, const Clock& clock, LogLine 
 Result<void> Journal::event(Duration t, const std::string& severity, const std::string& kind,
                             const std::string& text) {
   const EventInsert row{t.count(), clock_.utc_ns(), severity, kind, text};
-  log_(row);
+  if (log_) log_(row);
   return store_.add_event(campaign_, row);
 }
 

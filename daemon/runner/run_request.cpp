@@ -97,7 +97,8 @@ Result<Outcome> run_requested(
     const auto owned = virtual_devices(*config, rig::RigModel{}, *request.virtual_seed);
     return run_campaign(*config, owned->devices(), *store, options, hooks);
   }();
-  if (outcome) report(*store, outcome->campaign, path);
+  const bool has_models = outcome && std::holds_alternative<campaign::Finished>(outcome->state);
+  if (has_models) report(*store, outcome->campaign, path);
   return outcome;
 }
 

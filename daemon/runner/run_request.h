@@ -19,7 +19,7 @@ struct RunRequest {
 };
 
 /// Reads the campaign file, opens database and devices, runs the campaign.
-/// @param report  called with the database before it is closed, when the campaign has ended.
+/// @param report  called with the database before it is closed, when the campaign has finished.
 /// @return how it ended; bad_input if virtual time is asked of a campaign whose devices are not
 ///   simulated; what reading, store and run_campaign() return.
 [[nodiscard]] Result<Outcome> run_requested(

@@ -150,6 +150,24 @@ SCENARIO("somebody stops the chamber at the panel: hands off") {
   CHECK(bench.chamber.read()->run == ChamberRun::stopped);
 }
 
+SCENARIO("air that climbs past every limit: the safe setpoint is confirmed within ten seconds") {
+  VirtualBench bench(short_campaign);
+  double too_warm_k = 0;
+  bench.when("soaking", 4, [&](Duration) {
+    bench.chamber.doctor = [&](ChamberReading& reading) {
+      reading.actual = reading.actual + Kelvin{too_warm_k += 2};
+    };
+  });
+  bench.when("safe", 5, [&](Duration) { bench.chamber.doctor = nullptr; });
+  const Outcome outcome = bench.run();
+  REQUIRE(std::holds_alternative<Safe>(outcome.state));
+  CHECK(std::get<Safe>(outcome.state).why.find("beyond what boards and chamber allow") !=
+        std::string::npos);
+  CHECK(bench.seen_s["safe_setpoint"] - bench.seen_s["trip"] <= 10);
+  CHECK(bench.chamber.read()->setpoint == Celsius{25});
+  CHECK(std::abs((bench.chamber.read()->actual - Celsius{25}).value) <= 2);
+}
+
 SCENARIO("a temperature register that stands still is noticed and read in breaks") {
   VirtualBench bench(short_campaign);
   bench.rig.board(1).set_temperature_trap(true);

@@ -92,6 +92,9 @@ class VirtualBench {
     RunHooks hooks;
     hooks.log = [&](const EventInsert& event) {
       ++events[event.kind];
+      seen_s[event.kind] = double(event.t_ns) * 1e-9;
+      if (event.text.find("-> safe") != std::string::npos)
+        seen_s["trip"] = double(event.t_ns) * 1e-9;
       texts.push_back(event.kind + ": " + event.text);
     };
     hooks.progress = [&](const Snapshot& now) { meddle(now); };
@@ -135,7 +138,8 @@ class VirtualBench {
  public:
   DoctoredChamber chamber;
   Store store;
-  std::map<std::string, int> events;  ///< how many of each kind
+  std::map<std::string, int> events;     ///< how many of each kind
+  std::map<std::string, double> seen_s;  ///< when the last of each kind was; "trip" when it tripped
   std::vector<std::string> texts;
 
  private:
