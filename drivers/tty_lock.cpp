@@ -8,9 +8,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 namespace gyrocal {
 namespace {
@@ -55,7 +55,8 @@ Result<UniqueFd> lock_tty(const std::string& path) {
                 "end the other program, or give each its own device");
   }
   if (!fd.is_open()) {
-    return fail(Errc::link_lost, fmt::format("open {}: {}", path, std::strerror(open_error)),
+    return fail(Errc::link_lost,
+                fmt::format("open {}: {}", path, std::generic_category().message(open_error)),
                 open_error == EACCES ? "is this user in the group dialout?" : "is it plugged in?");
   }
   return fd;

@@ -9,5 +9,6 @@ void add_rig_diff(CLI::App& rig, Chosen& chosen);
 void add_rig_serve(CLI::App& rig, Chosen& chosen);
 void add_rig_models(CLI::App& rig, Chosen& chosen);
 void add_rig_show(CLI::App& rig, Chosen& chosen);
+void add_rig_simulate(CLI::App& rig, Chosen& chosen);
 
 }  // namespace gyrocal::cli

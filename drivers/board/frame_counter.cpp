@@ -1,7 +1,5 @@
 #include "drivers/board/frame_counter.h"
 
-#include <utility>
-
 namespace gyrocal::inemo {
 namespace {
 
@@ -37,10 +35,10 @@ void FrameCounter::take(DataEvent event, BoardTally& tally, std::vector<DataEven
   } else if (distance == 1) {
     reject_held(tally);
     event.counter = advance();
-    passed.push_back(std::move(event));
+    passed.push_back(event);
   } else {
     reject_held(tally);
-    held_.push_back(std::move(event));
+    held_.push_back(event);
   }
 }
 
@@ -49,7 +47,7 @@ bool FrameCounter::confirms_held(const DataEvent& event, BoardTally& tally,
   const std::uint16_t from_held = ahead(held_.back().frame.counter, event.frame.counter);
   if (is_gap(ahead(last_, held_.front().frame.counter))) {
     if (from_held >= 1 && from_held <= gap_max) {
-      pass_gap(std::move(held_.front()), tally, passed);
+      pass_gap(held_.front(), tally, passed);
       held_.clear();
     }
     return false;  // it has no place of its own yet
@@ -66,7 +64,7 @@ void FrameCounter::pass_gap(DataEvent event, BoardTally& tally, std::vector<Data
   last_ = event.frame.counter;
   unwrapped_ += distance;
   event.counter = unwrapped_;
-  passed.push_back(std::move(event));
+  passed.push_back(event);
 }
 
 void FrameCounter::pass_restart(std::vector<DataEvent>& passed, BoardTally& tally) {
@@ -75,7 +73,7 @@ void FrameCounter::pass_restart(std::vector<DataEvent>& passed, BoardTally& tall
   for (DataEvent& event : held_) {
     event.counter = ++unwrapped_;
     last_ = event.frame.counter;
-    passed.push_back(std::move(event));
+    passed.push_back(event);
   }
   held_.clear();
 }

@@ -149,7 +149,7 @@ Result<void> InemoBoard::stop() {
 }
 
 Result<void> InemoBoard::drain(std::vector<BoardSample>& into) {
-  const auto received = receive();
+  auto received = receive();
   into.insert(into.end(), pending_.begin(), pending_.end());
   pending_.clear();
   replies_.clear();

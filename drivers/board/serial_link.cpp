@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <system_error>
 
@@ -21,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr unsigned write_timeout_ms = 1000;  // 0 would mean for ever
 constexpr int baud = 115200;                 // a CDC-ACM device heeds none
 
-std::string system_text(int code) { return std::strerror(code); }
+std::string system_text(int code) { return std::generic_category().message(code); }
 
 /// A symbolic link to a pseudo-terminal for as long as it is being opened.
 class TemporaryLink {

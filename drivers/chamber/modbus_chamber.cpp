@@ -99,7 +99,7 @@ Result<void> ModbusChamber::set_setpoint(Celsius to) {
 
 Result<void> ModbusChamber::run() {
   if (profile_.run_type) {
-    const auto constant = reach(*profile_.run_type, *profile_.run_type, "constant");
+    auto constant = reach(*profile_.run_type, *profile_.run_type, "constant");
     if (!constant) return constant;
   }
   return reach_run_state("running");
@@ -180,7 +180,7 @@ Result<int> ModbusChamber::read_number(const RegisterSpec& reg) {
 Result<double> ModbusChamber::write_value(const RegisterSpec& reg, double value) {
   auto words = encode_value(reg, value);
   if (!words) return tl::unexpected(words.error());
-  const auto rounded = decode_value(reg, *words);
+  auto rounded = decode_value(reg, *words);
   const auto request = modbus::write_request(unit_, static_cast<std::uint8_t>(reg.write_function),
                                              reg.address, std::move(*words));
   if (const auto done = ask(request); !done) return tl::unexpected(done.error());

@@ -9,7 +9,7 @@ template <class Call>
 auto call_or_fail(FaultSchedule& schedule, const Call& call) -> decltype(call()) {
   if (!schedule.next_call_fails()) return call();
   if (schedule.loses_reply()) {
-    if (const auto unheard = call(); !unheard) return unheard;
+    if (auto unheard = call(); !unheard) return unheard;
   }
   return schedule.error();
 }

@@ -45,7 +45,7 @@ void add_singles(List& list, int strong, int moderate) {
     const std::string how = level;
     for (const auto& name : slow_names) {
       list.add(name + "_" + how, copies,
-               [=](std::uint64_t s) { return slow_single(name, how, s); });
+               [=](std::uint64_t s) { return slow_single(name, how, s, 0.45); });
     }
     for (const auto& name : fast_names()) {
       list.add(name + "_" + how, copies,
@@ -74,8 +74,9 @@ void add_pairs(List& list, int copies, bool all) {
   }
   for (std::size_t i = 0; i < std::min(take, mixed.size()); ++i) {
     const auto [one, two] = mixed[i];
-    list.add("pair_" + one + "_" + two, copies,
-             [=](std::uint64_t s) { return with_fast(slow_single(one, "strong", s), two, s); });
+    list.add("pair_" + one + "_" + two, copies, [=](std::uint64_t s) {
+      return with_fast(slow_single(one, "strong", s, 0.8), two, s);
+    });
   }
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/hidden_effects/slow_cases.h"
+#include "tests/hidden_effects/planted.h"
 
 namespace hidden {
 namespace {

@@ -13,7 +13,7 @@ class Flicker final : public Law {
              {{"b", "deg/h", 0.0, 1000.0, 7.0, Spacing::logarithmic,
                "the Allan deviation's floor is 0.664 B"}}}) {}
 
-  /// Half-decades of Ornstein-Uhlenbeck processes from 3 s to 11 days: within 2 % of 1/f between
+  /// Half-decades of Ornstein-Uhlenbeck processes from 1 s to 11 days: within 5 % of 1/f between
   /// 1e-5 and 0.02 Hz. Faster parts drown in white noise and are left out.
   std::vector<OuTerm> stochastic(Values p) const override {
     constexpr double pi = 3.14159265358979323846;
@@ -21,8 +21,8 @@ class Flicker final : public Law {
     constexpr double ln_root_10 = 1.15129254649702284;
     const double b_dps = p[0] / s_per_h;
     std::vector<OuTerm> terms;
-    double tau_s = root_10;
-    for (int i = 0; i < 12; ++i, tau_s *= root_10) {
+    double tau_s = 1.0;
+    for (int i = 0; i < 13; ++i, tau_s *= root_10) {
       terms.push_back({tau_s, b_dps * b_dps * ln_root_10 / pi});
     }
     return terms;

@@ -1,0 +1,283 @@
+#include "compensation/discrepancy/diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compensation/discrepancy/fast_findings.h"
+#include "compensation/discrepancy/gap.h"
+#include "compensation/discrepancy/model_update.h"
+#include "compensation/discrepancy/session_check.h"
+#include "compensation/discrepancy/slow_story.h"
+#include "compensation/discrepancy/verdict.h"
+#include "compensation/rig/effects/catalogue.h"
+
+namespace gyrocal {
+namespace {
+
+std::size_t axis_index(const std::string& axis) {
+  return axis == "x" || axis == "X" ? 0 : axis == "y" || axis == "Y" ? 1 : 2;
+}
+
+MeanLaw::Converter converter_of(const CodeFindings& codes, double lsb_dps, bool with_findings) {
+  MeanLaw::Converter converter;
+  converter.lsb_dps = codes.quantised ? lsb_dps : 0;
+  converter.sd_dps = codes.white_sd_dps;
+  if (!with_findings) return converter;
+  if (codes.holes_nats > gate_nats) converter.holes = codes.holes;
+  if (codes.upper_nats > gate_nats) converter.upper_dps = codes.upper_dps;
+  if (codes.lower_nats > gate_nats) converter.lower_dps = codes.lower_dps;
+  return converter;
+}
+
+struct Range {
+  double low = 1e300, high = -1e300;
+};
+
+Range gyro_range(const Session& session) {
+  Range range;
+  for (const MonitorRow& row : session.monitor) {
+    if (std::isnan(row.gyro_dps)) continue;
+    range.low = std::min(range.low, row.gyro_dps);
+    range.high = std::max(range.high, row.gyro_dps);
+  }
+  return range;
+}
+
+/// The session as the gyro meant it: what the converter did to means undone.
+Session unbent(Session session, const MeanLaw& law) {
+  if (!law.bends()) return session;
+  for (MonitorRow& row : session.monitor) {
+    if (!std::isnan(row.gyro_dps)) row.gyro_dps = law.rate(row.gyro_dps);
+  }
+  return session;
+}
+
+/// Effects whose trace in the slow stream another channel has already claimed, or that this
+/// session cannot show.
+std::vector<std::string> excluded_effects(const FastEvidence& fast, const Track& track,
+                                          const std::vector<Finding>& found) {
+  std::vector<std::string> names;
+  if (!acceleration_varies(track)) names.push_back("g_sensitivity");
+  for (const Finding& finding : found) {
+    if (finding.effect != "random_telegraph_noise") continue;
+    names.push_back("random_telegraph_noise");
+    // The slow side of its Lorentzian would pass for flicker.
+    if (fast.telegraph.low_dwell_s + fast.telegraph.high_dwell_s > 2) {
+      names.push_back("bias_instability");
+    }
+  }
+  return names;
+}
+
+/// A setup shared by all steps of one diagnosis.
+struct Case {
+  const Session& session;
+  const rig::RigModel& given;
+  std::size_t axis;
+  std::vector<Segment> segments;
+  Track track;
+  FastEvidence fast;
+  MeanLaw law_before, law_after;
+  double row_white_sd_dps = 0;  ///< of a one-second mean, whatever causes it
+};
+
+/// The slow side of every telegraph of a model that switches less than once in a bin.
+std::vector<RelaxingPart> slow_telegraphs(const rig::RigModel& model) {
+  std::vector<RelaxingPart> parts;
+  const auto instances = rig::instantiate(model);
+  if (!instances) return parts;
+  for (const rig::Instance& instance : *instances) {
+    const rig::Telegraph telegraph = instance.law->telegraph(instance.values, rig::Drivers{});
+    if (telegraph.level_dps == 0) continue;
+    const double high = telegraph.high_dwell_s / (telegraph.high_dwell_s + telegraph.low_dwell_s);
+    const double tau_s = 1 / (1 / std::max(telegraph.low_dwell_s, 1e-3) +
+                              1 / std::max(telegraph.high_dwell_s, 1e-3));
+    parts.push_back({tau_s, telegraph.level_dps * telegraph.level_dps * high * (1 - high)});
+  }
+  return parts;
+}
+
+Simulation simulation_of(const Case& c, const SlowModel& model, const rig::RigModel& fast,
+                         bool after) {
+  Simulation simulation;
+  simulation.course_dps = model.prediction();
+  // The level of the simulator's white noise comes from the samples, not from a misfit that would
+  // excuse itself; the drift noise keeps its absolute size.
+  const double from_samples = c.fast.codes.white_sd_dps / std::sqrt(c.session.sample_rate_hz);
+  simulation.white_sd_dps = after ? std::max(c.row_white_sd_dps, from_samples) : from_samples;
+  const double rescale = std::pow(model.fit().white_sd_dps / simulation.white_sd_dps, 2);
+  simulation.shape = model.fit().shape;
+  simulation.shape.flicker_ratio *= rescale;
+  simulation.shape.walk_ratio *= rescale;
+  simulation.relaxing = slow_telegraphs(fast);
+  simulation.sample_sd_dps = c.fast.codes.spread_at_20_dps > 0 && after
+                                 ? c.fast.codes.spread_at_20_dps
+                                 : c.fast.codes.white_sd_dps;
+  simulation.lsb_dps = c.fast.codes.quantised ? c.session.lsb_dps : 0;
+  simulation.fast = fast;
+  simulation.mean_law = after ? c.law_after : c.law_before;
+  return simulation;
+}
+
+bool is_effect(const Finding& finding, const char* name) { return finding.effect == name; }
+
+/// Sines of one grid are one hum: the strongest leads, another is told as a share of it.
+void merge_harmonics(std::vector<Finding>& findings) {
+  const auto hum = [](const Finding& f) { return is_effect(f, "mains_hum"); };
+  const auto first = std::find_if(findings.begin(), findings.end(), hum);
+  if (first == findings.end()) return;
+  for (auto other = first + 1; other != findings.end();) {
+    if (!hum(*other)) {
+      ++other;
+      continue;
+    }
+    for (auto& [name, value] : first->parameters) {
+      if (name == "second") value = other->amplitude / first->amplitude;
+    }
+    first->evidence_nats += other->evidence_nats;
+    other = findings.erase(other);
+  }
+}
+
+/// One cause seen in two channels is one finding.
+void settle_between_channels(std::vector<Finding>& slow, std::vector<Finding>& fast) {
+  const auto among = [](std::vector<Finding>& findings, const char* name) {
+    return std::find_if(findings.begin(), findings.end(),
+                        [name](const Finding& f) { return is_effect(f, name); });
+  };
+  // A board warmed by its own electronics reads warmer than the air: no fault of its sensor.
+  if (among(slow, "self_heating") != slow.end()) {
+    std::erase_if(fast, [](const Finding& f) { return is_effect(f, "board_sensor_offset"); });
+  }
+  merge_harmonics(slow);
+  const auto step = among(slow, "compressor_vibration");
+  const auto line = among(fast, "compressor_vibration");
+  if (step != slow.end() && line != fast.end()) {
+    line->law = "line_and_step";
+    line->parameters = {{"a", line->amplitude},
+                        {"f", line->parameters[1].second},
+                        {"v", step->amplitude},
+                        {"acc", 0.0}};
+    line->evidence_nats += step->evidence_nats;
+    line->lead_nats += step->lead_nats;
+    slow.erase(step);
+  }
+}
+
+void store(const GapMeasure& measure, Gap& gap, double GapChannel::*when) {
+  gap.slow.*when = measure.slow;
+  gap.spectrum.*when = measure.spectrum;
+  gap.distribution.*when = measure.distribution;
+  gap.link.*when = measure.link;
+  gap.slow_dps.*when = measure.slow_dps;
+  gap.spectrum_db.*when = measure.spectrum_db;
+  gap.distribution_share.*when = measure.distribution_share;
+  gap.link_share.*when = measure.link_share;
+}
+
+}  // namespace
+
+Result<Diagnosis> diagnose(const Session& session, const rig::RigModel& model,
+                           const DiagnoseOptions&) {
+  if (auto checked = check_session(session); !checked) return tl::unexpected(checked.error());
+  const auto given = rig::instantiate(model);
+  if (!given) return tl::unexpected(given.error());
+
+  Case c{session, model, axis_index(session.axis), split_segments(session),
+         {},      {},    MeanLaw({}, 0, 0),        MeanLaw({}, 0, 0)};
+  c.track = make_track(session, c.segments, model.baseline);
+  add_acceleration(session, c.track);
+  c.fast = gather_fast_evidence(session, c.segments, c.track);
+  const Range range = gyro_range(session);
+  c.law_before = MeanLaw(converter_of(c.fast.codes, session.lsb_dps, false), range.low, range.high);
+  c.law_after = MeanLaw(converter_of(c.fast.codes, session.lsb_dps, true), range.low, range.high);
+
+  Diagnosis diagnosis;
+  if (!c.track.lost.empty()) diagnosis.notes.push_back(c.track.lost);
+  std::vector<Finding> fast = fast_findings(c.fast, session.sample_rate_hz);
+  std::erase_if(fast, [&](const Finding& finding) { return already_modelled(finding, *given); });
+  if (auto sensor = sensor_finding(c.track.board_sensor)) {
+    if (!already_modelled(*sensor, *given)) fast.push_back(std::move(*sensor));
+  }
+
+  const Session straight = unbent(session, c.law_after);
+  const RowChoice rows = training_rows(straight, c.segments);
+  if (rows.rows.size() < 32) {
+    return fail(Errc::too_few_points,
+                fmt::format("monitor.csv: {} rows are left for fitting, expected at least 32",
+                            rows.rows.size()));
+  }
+  c.row_white_sd_dps = row_white_sd_dps(straight, rows.rows);
+  const SlowStream stream(straight, rows.rows, c.track, bin_width_s(straight));
+  if (stream.size() < 24) {
+    return fail(Errc::too_few_points,
+                fmt::format("monitor.csv: {} bins of {:.0f} s are left for fitting, expected at "
+                            "least 24",
+                            stream.size(), bin_width_s(straight)));
+  }
+  SlowModel slow(stream, c.track);
+  give_known_effects(*given, model, c.axis, slow);
+  const SlowModel before = slow;
+  rig::RigModel fast_before = fast_part(model);
+
+  const std::vector<SlowFinding> story =
+      tell_slow_story(slow, session.sample_rate_hz, excluded_effects(c.fast, c.track, fast));
+  diagnosis.findings = to_findings(story);
+  settle_between_channels(diagnosis.findings, fast);
+  diagnosis.model = updated_model(model, slow, story, fast, c.fast.codes, c.axis, c.track);
+  const rig::RigModel fast_after = fast_part(diagnosis.model);
+
+  const Simulation sim_before = simulation_of(c, before, fast_before, false);
+  const Simulation sim_after = simulation_of(c, slow, fast_after, true);
+  const GapMeasure gap_before = measure_gap(session, c.segments, c.track, sim_before);
+  const GapMeasure gap_after = measure_gap(session, c.segments, c.track, sim_after);
+  diagnosis.gap.before = gap_before.total;
+  diagnosis.gap.after = gap_after.total;
+  store(gap_before, diagnosis.gap, &GapChannel::before);
+  store(gap_after, diagnosis.gap, &GapChannel::after);
+  for (const Segment& segment : c.segments) {
+    if (segment.held_out) diagnosis.gap.held_out_dwells.push_back(segment.dwell);
+  }
+  if (diagnosis.gap.held_out_dwells.empty()) {
+    diagnosis.notes.push_back("fewer than four dwells: none is kept out, so there is no gap");
+  }
+  // One step a finding: the slow ones in the order they were found, then the samples' ones.
+  diagnosis.steps.push_back({"", gap_before.total});
+  SlowModel partial = before;
+  for (std::size_t k = 1; k <= story.size(); ++k) {
+    add_findings(partial, story, k);
+    const Simulation step = simulation_of(c, partial, fast_before, false);
+    diagnosis.steps.push_back(
+        {story[k - 1].effect, measure_gap(session, c.segments, c.track, step).total});
+  }
+  for (std::size_t k = 0; k < fast.size(); ++k) {
+    rig::RigModel part = fast_before;
+    for (std::size_t j = 0; j <= k; ++j) add_effect(part, fast[j], c.axis);
+    const Simulation step = simulation_of(c, slow, part, true);
+    diagnosis.steps.push_back(
+        {fast[k].effect, measure_gap(session, c.segments, c.track, step).total});
+  }
+  const auto rows_before = predicted_rows(session, c.segments, c.track, sim_before, nullptr);
+  const auto rows_after = predicted_rows(session, c.segments, c.track, sim_after, nullptr);
+  for (std::size_t i = 0; i < session.monitor.size(); ++i) {
+    diagnosis.prediction.push_back(
+        {session.monitor[i].t_s, session.monitor[i].gyro_dps, rows_before[i], rows_after[i]});
+  }
+  diagnosis.findings.insert(diagnosis.findings.end(), std::make_move_iterator(fast.begin()),
+                            std::make_move_iterator(fast.end()));
+  explain(diagnosis.findings);
+  diagnosis.verdict = verdict_of(diagnosis.findings);
+  diagnosis.detection_limits = slow_limits(slow);
+  diagnosis.detection_limits.merge(fast_limits(c.fast, session.sample_rate_hz));
+  add_sensor_limit(c.track.board_sensor, diagnosis.detection_limits);
+  for (const rig::Effect& effect : rig::catalogue()) {
+    if (!diagnosis.detection_limits.contains(std::string(effect.name))) {
+      diagnosis.not_observable.emplace_back(effect.name);
+    }
+  }
+  return diagnosis;
+}
+
+}  // namespace gyrocal

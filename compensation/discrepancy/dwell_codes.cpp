@@ -1,0 +1,308 @@
+#include "compensation/discrepancy/dwell_codes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace gyrocal {
+namespace {
+
+constexpr double outlier_sd = 6.5;
+constexpr double hole_left_over = 0.3;  // of what should come, at most
+constexpr double expected_enough = 5;   // counts, to tell a hole from bad luck
+constexpr double coarse_sd_lsb = 0.5;   // below it quantiles of codes are no Gaussian's
+constexpr double loss_usual = 1e-7;     // share of frames the rig itself may lose
+
+double upper_tail(double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
+
+/// Robust centre and the two half widths of one dwell.
+struct Shape {
+  double median = 0, below = 0, above = 0, sd = 0;
+};
+
+double quantile(const std::vector<double>& sorted, double p, double lsb) {
+  // Counts are spread evenly over their code's width, so that a quantile moves smoothly.
+  const auto n = static_cast<double>(sorted.size());
+  const auto at = static_cast<std::ptrdiff_t>(std::clamp(p * n, 0.0, n - 1));
+  const double value = sorted[static_cast<std::size_t>(at)];
+  if (lsb == 0) return value;
+  const auto range = std::equal_range(sorted.begin(), sorted.end(), value);
+  const auto first = static_cast<double>(range.first - sorted.begin());
+  const auto count = static_cast<double>(range.second - range.first);
+  return value + lsb * ((p * n - first) / count - 0.5);
+}
+
+Shape shape_of(const DwellData& dwell, double lsb) {
+  std::vector<double> sorted = dwell.y_dps;
+  std::sort(sorted.begin(), sorted.end());
+  Shape shape;
+  shape.median = quantile(sorted, 0.5, lsb);
+  shape.below = shape.median - quantile(sorted, 0.158655, lsb);
+  shape.above = quantile(sorted, 0.841345, lsb) - shape.median;
+  shape.sd = (shape.below + shape.above) / 2;
+  return shape;
+}
+
+/// White noise per sample from neighbours' differences: blind to what moves slowly.
+double white_sd(const DwellData& dwell, double lsb) {
+  std::vector<double> squares;
+  for (std::size_t i = 1; i < dwell.y_dps.size(); ++i) {
+    if (dwell.seq[i] != dwell.seq[i - 1] + 1) continue;
+    const double d = dwell.y_dps[i] - dwell.y_dps[i - 1];
+    squares.push_back(d * d);
+  }
+  if (squares.size() < 16) return 0;
+  double mean = 0;
+  for (int pass = 0; pass < 3; ++pass) {
+    double sum = 0, n = 0;
+    for (const double s : squares) {
+      if (pass > 0 && s > 36 * mean) continue;
+      sum += s, n += 1;
+    }
+    mean = sum / n;
+  }
+  return std::sqrt(std::max(mean / 2 - lsb * lsb / 12, 1e-18));
+}
+
+bool whole_counts(std::span<const DwellData> dwells, double lsb) {
+  if (lsb <= 0) return false;
+  std::size_t whole = 0, seen = 0;
+  for (const DwellData& dwell : dwells) {
+    for (std::size_t i = 0; i < dwell.y_dps.size(); i += 7) {
+      const double count = dwell.y_dps[i] / lsb;
+      whole += std::abs(count - std::round(count)) < 0.02;
+      ++seen;
+    }
+  }
+  return seen > 0 && static_cast<double>(whole) > 0.98 * static_cast<double>(seen);
+}
+
+using Histogram = std::map<std::int64_t, double>;
+
+struct Counts {
+  Histogram seen, expected;
+  double sd_lsb_min = 1e9;
+};
+
+std::int64_t code_of(double y, double lsb) { return std::llround(y / lsb); }
+
+/// Adds what a Gaussian rounded to codes would give for one dwell, out to six deviations.
+void expect_codes(Histogram& expected, double centre, double sd, double n, double lsb) {
+  const std::int64_t low = code_of(centre - 6 * sd, lsb), high = code_of(centre + 6 * sd, lsb);
+  double before = upper_tail(((static_cast<double>(low) - 0.5) * lsb - centre) / sd);
+  for (std::int64_t code = low; code <= high; ++code) {
+    const double after = upper_tail(((static_cast<double>(code) + 0.5) * lsb - centre) / sd);
+    expected[code] += n * (before - after);
+    before = after;
+  }
+}
+
+void find_holes(const Counts& counts, CodeFindings& findings) {
+  for (const auto& [code, expected] : counts.expected) {
+    if (expected < expected_enough) continue;
+    ++findings.testable;
+    const auto at = [&](std::int64_t c) {
+      const auto found = counts.seen.find(c);
+      return found == counts.seen.end() ? 0.0 : found->second;
+    };
+    const double seen = at(code);
+    if (seen > hole_left_over * expected) continue;
+    const bool inside = std::any_of(counts.seen.begin(), counts.seen.find(code),
+                                    [](const auto& entry) { return entry.second > 0; }) &&
+                        at(code - 1) > seen && at(code + 1) > seen;
+    if (!inside || at(code - 1) + at(code + 1) < expected) continue;
+    findings.holes.push_back(code);
+    findings.holes_nats += expected - seen + (seen > 0 ? seen * std::log(seen / expected) : 0.0);
+  }
+  if (findings.holes.empty()) return;
+  const double testable = findings.testable;
+  findings.holes_nats -= std::log(testable);
+  const double holes = static_cast<double>(findings.holes.size());
+  findings.holes_share = holes / testable;
+  findings.holes_share_sd = std::sqrt(findings.holes_share * (1 - findings.holes_share) / testable);
+}
+
+/// One end of the range: nothing beyond the last code though much should be, and the rest piled up.
+struct Rail {
+  double nats = 0, at_dps = 0;
+};
+
+Rail find_rail(std::span<const DwellData> dwells, double lsb, bool upper) {
+  const double sign = upper ? 1 : -1;
+  // The last value that comes more than by chance: a lone glitch beyond is no evidence against.
+  std::map<std::int64_t, double> seen;
+  double total = 0;
+  for (const DwellData& dwell : dwells) {
+    for (const double y : dwell.y_dps) seen[code_of(sign * y, lsb)] += 1, total += 1;
+  }
+  auto last = seen.rbegin();
+  while (last != seen.rend() && last->second < std::max(3.0, 1e-5 * total)) ++last;
+  if (last == seen.rend()) return {};
+  const auto code = last->first;
+  double beyond = 0, on = 0, seen_beyond = 0;
+  for (auto later = seen.upper_bound(code); later != seen.end(); ++later) {
+    seen_beyond += later->second;
+  }
+  for (const DwellData& dwell : dwells) {
+    const Shape shape = shape_of(dwell, lsb);
+    const double sd = upper ? shape.below : shape.above;
+    if (sd < coarse_sd_lsb * lsb) return {};
+    const auto n = static_cast<double>(dwell.y_dps.size());
+    const double edge = (static_cast<double>(code) + 0.5) * lsb - sign * shape.median;
+    beyond += n * upper_tail(edge / sd);
+    on += n * (upper_tail((edge - lsb) / sd) - upper_tail(edge / sd));
+  }
+  if (last->second < on + 0.3 * beyond) return {};
+  const double gain =
+      beyond - seen_beyond + (seen_beyond > 0 ? seen_beyond * std::log(seen_beyond / beyond) : 0.0);
+  if (seen_beyond > 0.2 * beyond) return {};
+  return {gain, sign * static_cast<double>(code) * lsb};
+}
+
+void find_outliers(std::span<const DwellData> dwells, double lsb, CodeFindings& findings) {
+  double total = 0, size = 0, up = 0;
+  for (const DwellData& dwell : dwells) {
+    const Shape shape = shape_of(dwell, lsb);
+    const double sd = std::max({shape.sd, 0.35 * lsb, 1e-12});
+    total += static_cast<double>(dwell.y_dps.size());
+    for (const double y : dwell.y_dps) {
+      const double z = std::abs(y - shape.median) / sd;
+      // Coarse codes round a harmless value up to half a count further out.
+      if (z < outlier_sd + 0.5 * lsb / sd) continue;
+      ++findings.outliers;
+      findings.outlier_nats += std::min(z * z / 2 - 10, 40.0);
+      size += z;
+      up += y > shape.median;
+    }
+  }
+  if (findings.outliers == 0) return;
+  const auto n = static_cast<double>(findings.outliers);
+  findings.outlier_share = n / total;
+  findings.outlier_share_sd = std::sqrt(n) / total;
+  findings.outlier_size_sigma = size / n;
+  findings.outliers_one_sided = n >= 6 && (up == 0 || up == n);
+}
+
+void find_stuck(std::span<const DwellData> dwells, double lsb, CodeFindings& findings) {
+  double total = 0, repeats = 0, by_chance = 0, flagged = 0;
+  for (const DwellData& dwell : dwells) total += static_cast<double>(dwell.y_dps.size());
+  for (const DwellData& dwell : dwells) {
+    const auto n = static_cast<double>(dwell.y_dps.size());
+    std::map<double, double> share;
+    for (const double y : dwell.y_dps) share[y] += 1 / n;
+    double chance = 0;
+    for (const auto& [value, p] : share) chance += p * p;
+    const double sd = shape_of(dwell, lsb).sd;
+    by_chance += n * chance;
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i <= dwell.y_dps.size(); ++i) {
+      const bool goes_on = i < dwell.y_dps.size() && dwell.y_dps[i] == dwell.y_dps[begin] &&
+                           dwell.seq[i] == dwell.seq[i - 1] + 1;
+      if (goes_on) continue;
+      const auto r = static_cast<double>(i - begin - 1);
+      repeats += r;
+      // A dwell that sits inside one code is rounding, not sticking.
+      const double p = std::min(share[dwell.y_dps[begin]] + 1 / n, 1.0);
+      const double nats = -r * std::log(p) - std::log(total);
+      if (r >= 3 && nats > 2 && sd > 0.35 * lsb) {
+        findings.stuck_nats += std::min(nats, 40.0);
+        ++findings.stuck_runs;
+        flagged += r;
+      }
+      begin = i;
+    }
+  }
+  if (findings.stuck_runs == 0) return;
+  const double chance = by_chance / total;
+  findings.stuck_share = std::max(flagged / total, (repeats / total - chance) / (1 - chance));
+  findings.stuck_length = flagged / static_cast<double>(findings.stuck_runs);
+  findings.stuck_share_sd =
+      findings.stuck_share / std::sqrt(static_cast<double>(findings.stuck_runs));
+}
+
+void find_spread(std::span<const DwellData> dwells, double lsb, CodeFindings& findings) {
+  double s = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  struct Point {
+    double x, y, weight;
+  };
+  std::vector<Point> points;
+  for (const DwellData& dwell : dwells) {
+    const double sd = white_sd(dwell, lsb);
+    if (sd <= 0 || std::isnan(dwell.die_c) || (lsb > 0 && sd < 0.4 * lsb)) continue;
+    // Var(ln sd) of the difference estimator is 3/(4 n).
+    const double weight = static_cast<double>(dwell.y_dps.size()) / 0.75;
+    points.push_back({dwell.die_c - 20, std::log(sd), weight});
+  }
+  if (points.size() < 4) return;
+  for (const Point& p : points) {
+    s += p.weight, sx += p.weight * p.x, sy += p.weight * p.y, sxx += p.weight * p.x * p.x,
+        sxy += p.weight * p.x * p.y;
+  }
+  const double determinant = s * sxx - sx * sx;
+  if (determinant <= 0) return;
+  const double slope = (s * sxy - sx * sy) / determinant;
+  const double level = (sy - slope * sx) / s;
+  double chi2 = 0;
+  for (const Point& p : points) chi2 += p.weight * std::pow(p.y - level - slope * p.x, 2);
+  const double over = std::max(1.0, chi2 / static_cast<double>(points.size() - 2));
+  const double sd = std::sqrt(over * s / determinant);
+  findings.spread_percent_per_c = 100 * slope;
+  findings.spread_sd = 100 * sd;
+  findings.spread_nats = 0.5 * slope * slope / (sd * sd);
+  findings.spread_at_20_dps = std::exp(level);
+}
+
+void find_losses(std::span<const DwellData> dwells, CodeFindings& findings) {
+  double bursts = 0;
+  for (const DwellData& dwell : dwells) {
+    findings.expected += dwell.seq.back() + 1;
+    std::int64_t before = -1;
+    for (const std::int64_t seq : dwell.seq) {
+      if (seq > before + 1) findings.lost += seq - before - 1, bursts += 1;
+      before = seq;
+    }
+  }
+  if (findings.lost == 0) return;
+  const double usual = loss_usual * static_cast<double>(findings.expected) + 0.01;
+  findings.lost_nats = bursts * std::log(bursts / usual) - bursts + usual;
+  findings.lost_burst = static_cast<double>(findings.lost) / bursts;
+}
+
+}  // namespace
+
+CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps) {
+  CodeFindings findings;
+  if (dwells.empty()) return findings;
+  findings.quantised = whole_counts(dwells, lsb_dps);
+  const double lsb = findings.quantised ? lsb_dps : 0;
+  std::vector<double> levels;
+  for (const DwellData& dwell : dwells) levels.push_back(white_sd(dwell, lsb));
+  std::nth_element(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2),
+                   levels.end());
+  findings.white_sd_dps = levels[levels.size() / 2];
+  if (findings.quantised) {
+    Counts counts;
+    for (const DwellData& dwell : dwells) {
+      for (const double y : dwell.y_dps) counts.seen[code_of(y, lsb)] += 1;
+      const double rounding = lsb * lsb / 12;
+      double square = 0;
+      for (const double r : dwell.residual_dps) square += r * r;
+      const double variance = square / static_cast<double>(dwell.residual_dps.size());
+      const double sd = std::sqrt(std::max(variance - rounding, 0.02 * lsb * lsb));
+      expect_codes(counts.expected, dwell.mean_dps, sd, static_cast<double>(dwell.y_dps.size()),
+                   lsb);
+    }
+    find_holes(counts, findings);
+    const Rail upper = find_rail(dwells, lsb, true), lower = find_rail(dwells, lsb, false);
+    findings.upper_nats = upper.nats, findings.upper_dps = upper.at_dps;
+    findings.lower_nats = lower.nats, findings.lower_dps = lower.at_dps;
+  }
+  find_outliers(dwells, lsb, findings);
+  find_stuck(dwells, lsb, findings);
+  find_spread(dwells, lsb, findings);
+  find_losses(dwells, findings);
+  return findings;
+}
+
+}  // namespace gyrocal

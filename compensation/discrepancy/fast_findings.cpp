@@ -1,0 +1,315 @@
+#include "compensation/discrepancy/fast_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "compensation/discrepancy/slow_story.h"
+
+namespace gyrocal {
+namespace {
+
+constexpr double gated = 0.5;  // correlation of a line's power with the chamber's cooling
+
+Finding finding(const char* effect, const char* law, double amplitude, const char* unit, double sd,
+                double nats) {
+  Finding made;
+  made.effect = effect;
+  made.law = law;
+  made.amplitude = amplitude;
+  made.unit = unit;
+  made.standard_error = sd;
+  made.evidence_nats = nats;
+  made.lead_nats = nats;
+  return made;
+}
+
+struct Band {
+  double low_hz, high_hz;
+};
+
+constexpr Band rotors[] = {{23.7, 25.3}, {28.4, 29.7}, {47.4, 49.65}, {56.8, 59.4}};
+constexpr double mains_hz[] = {50, 60};
+
+bool folds_into(const SpectralLine& line, Band band, double sample_rate_hz) {
+  // A band can straddle the folding frequency: try it in small steps.
+  for (double f = band.low_hz; f <= band.high_hz; f += 0.05) {
+    if (std::abs(folded_hz(f, sample_rate_hz) - line.f_hz) < 0.05 + line.width_hz / 2) return true;
+  }
+  return false;
+}
+
+struct MainsMatch {
+  double grid_hz = 0;
+  int harmonic = 1;
+};
+
+/// The grid whose first or second harmonic could appear here; clocks may be off by 0.3 %.
+std::optional<MainsMatch> mains_match(double f_hz, double width_hz, double sample_rate_hz) {
+  for (const double grid_hz : mains_hz) {
+    for (const int harmonic : {1, 2}) {
+      const double true_hz = grid_hz * harmonic;
+      const double tolerance = 0.05 + 0.003 * true_hz + width_hz / 2;
+      if (std::abs(folded_hz(true_hz, sample_rate_hz) - f_hz) < tolerance) {
+        return MainsMatch{grid_hz, harmonic};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+double line_sd(const FastEvidence& evidence) {
+  const DwellSpectrum& spectrum = evidence.spectrum;
+  return std::sqrt(2 * spectrum.density_dps2 /
+                   (static_cast<double>(spectrum.samples) * spectrum.dwells));
+}
+
+Finding name_line(const SpectralLine& line, const FastEvidence& evidence, double sample_rate_hz) {
+  const double mdps = line.amplitude_dps * 1000;
+  const double sd = line_sd(evidence) * 1000;
+  const auto mains = mains_match(line.f_hz, line.width_hz, sample_rate_hz);
+  const bool rotor = std::any_of(std::begin(rotors), std::end(rotors),
+                                 [&](Band band) { return folds_into(line, band, sample_rate_hz); });
+  const bool follows_cooling = line.gating > gated;
+  const auto compressor = [&] {
+    double running = 0;
+    for (const DwellData& dwell : evidence.dwells) {
+      running += dwell.cooling / static_cast<double>(evidence.dwells.size());
+    }
+    // The line is there only while the compressor runs; its power is spread over all dwells.
+    const double share = follows_cooling ? std::clamp(running, 0.2, 1.0) : 1.0;
+    const double a = mdps / std::sqrt(share);
+    Finding made =
+        finding("compressor_vibration", "line", a, "mdps", sd / std::sqrt(share), line.nats);
+    made.parameters = {{"a", a}, {"f", line.f_hz}, {"acc", 0.0}};
+    return made;
+  };
+  const auto hum = [&] {
+    Finding made = finding("mains_hum", "steady", mdps, "mdps", sd, line.nats);
+    made.parameters = {{"a", mdps}, {"f", mains->grid_hz}, {"clock", 0.0}, {"second", 0.0}};
+    return made;
+  };
+  if (mains && rotor) {
+    Finding made = follows_cooling ? compressor() : hum();
+    made.confounded_with = {follows_cooling ? "mains_hum" : "compressor_vibration"};
+    made.lead_nats = 0;
+    return made;
+  }
+  if (mains) return hum();
+  if (rotor || follows_cooling) return compressor();
+  Finding made = finding("unknown", "line", line.amplitude_dps, "dps", sd / 1000, line.nats);
+  made.parameters = {{"f_hz", line.f_hz}};
+  made.description = fmt::format(
+      "a line at {:.4g} Hz of {:.3g} mdps in the dwells' spectrum; it is at no alias of the mains "
+      "or of a compressor, and its power does not follow the chamber's cooling (correlation "
+      "{:+.2f})",
+      line.f_hz, mdps, line.gating);
+  return made;
+}
+
+/// Lines of one cause become one finding, led by the strongest; a grid's second harmonic is told
+/// as a share of the first.
+void add_lines(const FastEvidence& evidence, double sample_rate_hz, std::vector<Finding>& found) {
+  for (const SpectralLine& line : evidence.lines) {
+    Finding next = name_line(line, evidence, sample_rate_hz);
+    const auto same = std::find_if(found.begin(), found.end(), [&](const Finding& other) {
+      return other.effect == next.effect && other.effect != "unknown";
+    });
+    if (same == found.end()) {
+      found.push_back(std::move(next));
+      continue;
+    }
+    same->evidence_nats += next.evidence_nats;
+    same->lead_nats += next.lead_nats;
+    if (next.effect == "mains_hum") same->parameters[3].second = next.amplitude / same->amplitude;
+  }
+}
+
+void add_telegraph(const FastEvidence& evidence, std::vector<Finding>& found) {
+  const TelegraphFit& fit = evidence.telegraph;
+  if (fit.nats < gate_nats) return;
+  Finding made = finding("random_telegraph_noise", "two_levels", fit.level_dps * 1000, "mdps",
+                         fit.level_sd_dps * 1000, fit.nats);
+  made.parameters = {{"a", fit.level_dps * 1000},
+                     {"low", fit.low_dwell_s},
+                     {"high", fit.high_dwell_s},
+                     {"ea", 0.0}};
+  made.lead_nats = std::min(fit.nats, fit.lead_nats);
+  if (made.lead_nats < lead_to_name_nats) {
+    if (evidence.colour.flicker_nats < gate_nats) return;
+    made.confounded_with = {"bias_instability"};
+  }
+  found.push_back(std::move(made));
+}
+
+void add_codes(const CodeFindings& codes, std::vector<Finding>& found) {
+  if (codes.holes_nats > gate_nats) {
+    Finding made = finding("missing_codes", "periodic", codes.holes_share, "1",
+                           codes.holes_share_sd, codes.holes_nats);
+    const double first = static_cast<double>(codes.holes.front());
+    double period = 0;
+    for (std::size_t i = 1; i < codes.holes.size(); ++i) {
+      const auto step = static_cast<double>(codes.holes[i] - codes.holes[i - 1]);
+      period = period == 0 ? step : std::min(period, step);
+    }
+    if (codes.holes.size() == 1) {
+      made.law = "single";
+      made.parameters = {{"code", first}};
+    } else {
+      // Holes at one distance are a bit of the converter: then the share is known exactly.
+      const double span = static_cast<double>(codes.holes.back() - codes.holes.front());
+      if (span / period + 1 == static_cast<double>(codes.holes.size()) && period >= 2) {
+        made.amplitude = 1 / period;
+      }
+      made.parameters = {{"share", 1 / std::max(period, 2.0)},
+                         {"phase", first - period * std::floor(first / period)}};
+    }
+    std::string list;
+    for (std::size_t i = 0; i < codes.holes.size() && i < 12; ++i) {
+      list += fmt::format("{}{}", i == 0 ? "" : ", ", codes.holes[i]);
+    }
+    made.description = fmt::format("codes that never come though they should: {}", list);
+    found.push_back(std::move(made));
+  }
+  for (const bool upper : {true, false}) {
+    const double nats = upper ? codes.upper_nats : codes.lower_nats;
+    const double rail = upper ? codes.upper_dps : codes.lower_dps;
+    if (nats <= gate_nats) continue;
+    Finding made =
+        finding("saturation", upper ? "upper" : "lower", rail, "dps", std::abs(rail) * 1e-3, nats);
+    made.parameters = {{upper ? "hi" : "lo", rail}};
+    found.push_back(std::move(made));
+  }
+  if (codes.outlier_nats > gate_nats) {
+    Finding made = finding("outlier_glitches", codes.outliers_one_sided ? "one_sided" : "symmetric",
+                           codes.outlier_share, "1", codes.outlier_share_sd, codes.outlier_nats);
+    made.parameters = {{"p", codes.outlier_share}, {"size", codes.outlier_size_sigma}};
+    found.push_back(std::move(made));
+  }
+  if (codes.stuck_nats > gate_nats) {
+    Finding made = finding("stuck_samples", "runs", codes.stuck_share, "1", codes.stuck_share_sd,
+                           codes.stuck_nats);
+    made.parameters = {{"share", codes.stuck_share}, {"length", codes.stuck_length}};
+    found.push_back(std::move(made));
+  }
+  if (codes.spread_nats > gate_nats) {
+    Finding made =
+        finding("noise_temperature_dependence", "exponential", codes.spread_percent_per_c, "%/degC",
+                codes.spread_sd, codes.spread_nats);
+    made.parameters = {{"s1", codes.spread_percent_per_c}};
+    found.push_back(std::move(made));
+  }
+  if (codes.lost_nats > gate_nats) {
+    const double share = static_cast<double>(codes.lost) / static_cast<double>(codes.expected);
+    Finding made =
+        finding("dropped_samples", codes.lost_burst > 1.5 ? "bursts" : "independent", share, "1",
+                std::sqrt(static_cast<double>(codes.lost) * codes.lost_burst) /
+                    static_cast<double>(codes.expected),
+                codes.lost_nats);
+    made.parameters = {{"share", share}};
+    if (codes.lost_burst > 1.5) made.parameters.push_back({"length", codes.lost_burst});
+    found.push_back(std::move(made));
+  }
+}
+
+/// The excess over 1 of a mean of `degrees` unit exponentials that is worth `nats`.
+double excess_for(double nats, double degrees) {
+  double low = 0, high = 1;
+  while (degrees * (high - std::log1p(high)) < nats) high *= 2;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (degrees * (middle - std::log1p(middle)) < nats ? low : high) = middle;
+  }
+  return high;
+}
+
+/// The upper rail beyond which too few samples would have come to be missed [deg/s].
+double highest_rail_seen(const FastEvidence& evidence) {
+  const double sd = evidence.codes.white_sd_dps;
+  const auto missed = [&](double rail_dps) {
+    double beyond = 0;
+    for (const DwellData& dwell : evidence.dwells) {
+      beyond += static_cast<double>(dwell.y_dps.size()) * 0.5 *
+                std::erfc((rail_dps - dwell.mean_dps) / (sd * std::numbers::sqrt2));
+    }
+    return beyond;
+  };
+  double low = 1e300, high = -1e300;
+  for (const DwellData& dwell : evidence.dwells) {
+    low = std::min(low, dwell.mean_dps);
+    high = std::max(high, dwell.mean_dps + 10 * sd);
+  }
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (missed(middle) > gate_nats ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+FastEvidence gather_fast_evidence(const Session& session, std::span<const Segment> segments,
+                                  const Track& track) {
+  FastEvidence evidence;
+  evidence.dwells = dwell_data(session, segments, track, false);
+  if (evidence.dwells.empty()) return evidence;
+  evidence.spectrum = dwell_spectrum(evidence.dwells, session.sample_rate_hz);
+  evidence.lines = find_lines(evidence.spectrum, evidence.dwells, gate_nats);
+  evidence.colour = dwell_colour(evidence.spectrum);
+  if (evidence.colour.relax_nats > gate_nats - 4) {
+    evidence.telegraph = fit_telegraph(evidence.dwells, session.sample_rate_hz);
+  }
+  evidence.codes = inspect_codes(evidence.dwells, session.lsb_dps);
+  return evidence;
+}
+
+std::vector<Finding> fast_findings(const FastEvidence& evidence, double sample_rate_hz) {
+  std::vector<Finding> found;
+  if (evidence.dwells.empty()) return found;
+  add_lines(evidence, sample_rate_hz, found);
+  add_telegraph(evidence, found);
+  add_codes(evidence.codes, found);
+  return found;
+}
+
+std::map<std::string, double> fast_limits(const FastEvidence& evidence, double) {
+  std::map<std::string, double> limits;
+  if (evidence.dwells.empty()) return limits;
+  double samples = 0, spread = 0, mean_c = 0;
+  const auto dwells = static_cast<double>(evidence.dwells.size());
+  for (const DwellData& dwell : evidence.dwells) {
+    samples += static_cast<double>(dwell.y_dps.size());
+    mean_c += dwell.die_c / dwells;
+  }
+  for (const DwellData& dwell : evidence.dwells) {
+    spread += std::pow(dwell.die_c - mean_c, 2) * static_cast<double>(dwell.y_dps.size());
+  }
+  const DwellSpectrum& spectrum = evidence.spectrum;
+  if (!spectrum.mean.empty()) {
+    const double nats = gate_nats + 1 + std::log(static_cast<double>(spectrum.mean.size()));
+    const double excess = excess_for(nats, spectrum.dwells);
+    const double line = 1000 * std::sqrt(4 * excess * spectrum.density_dps2 /
+                                         static_cast<double>(spectrum.samples));
+    limits["mains_hum"] = line;
+    limits["compressor_vibration"] = line;
+  }
+  // A telegraph of half a deviation and 2 s gains 3 nats a minute at 50 Hz; it goes with A^4.
+  limits["random_telegraph_noise"] =
+      1000 * evidence.codes.white_sd_dps * 0.5 * std::pow(gate_nats * 3000 / (3.0 * samples), 0.25);
+  limits["outlier_glitches"] = 1 / samples;
+  limits["stuck_samples"] = 10 / samples;
+  limits["dropped_samples"] = 3 / samples;
+  if (evidence.codes.quantised) {
+    limits["saturation"] = highest_rail_seen(evidence);
+    if (evidence.codes.testable > 0) limits["missing_codes"] = 1.0 / evidence.codes.testable;
+  }
+  if (spread > 0) {
+    limits["noise_temperature_dependence"] = 100 * std::sqrt(2 * gate_nats * 0.75 / spread);
+  }
+  return limits;
+}
+
+}  // namespace gyrocal

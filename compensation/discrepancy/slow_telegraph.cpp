@@ -1,0 +1,146 @@
+#include "compensation/discrepancy/slow_telegraph.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gyrocal {
+namespace {
+
+struct Levels {
+  double level = 0, rise_per_s = 0, fall_per_s = 0, white_variance = 0;  // variance of one second
+  Eigen::VectorXd coefficients;
+};
+
+struct Expectation {
+  double log_likelihood = 0;
+  Eigen::VectorXd high;
+  double rises = 0, falls = 0, low_s = 0, high_s = 0;
+};
+
+/// Chance of ending high after dt, from low and from high.
+std::pair<double, double> to_high(const Levels& levels, double dt_s) {
+  const double rate = levels.rise_per_s + levels.fall_per_s;
+  const double forget = -std::expm1(-rate * dt_s);
+  const double share = levels.rise_per_s / rate;
+  return {forget * share, 1 - forget * (1 - share)};
+}
+
+Expectation expect(const SlowGrid& grid, const Eigen::VectorXd& residual, const Levels& levels) {
+  const Eigen::Index n = residual.size();
+  Expectation result;
+  result.high.resize(n);
+  Eigen::VectorXd f0(n), f1(n), scale(n);
+  double p1 = levels.rise_per_s / (levels.rise_per_s + levels.fall_per_s);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const double variance = levels.white_variance / grid.weight_s[at];
+    const double norm = 1 / std::sqrt(2 * std::numbers::pi * variance);
+    const auto density = [&](double level) {
+      const double e = residual(k) - level;
+      return norm * (std::exp(-0.5 * e * e / variance) + 1e-12);
+    };
+    f0(k) = density(-levels.level / 2);
+    f1(k) = density(levels.level / 2);
+    if (k > 0) {
+      const auto [from_low, from_high] = to_high(levels, grid.t_s[at] - grid.t_s[at - 1]);
+      p1 = p1 * from_high + (1 - p1) * from_low;
+    }
+    const double a1 = p1 * f1(k), a0 = (1 - p1) * f0(k);
+    scale(k) = a0 + a1;
+    p1 = a1 / scale(k);
+    result.high(k) = p1;
+    result.log_likelihood += std::log(scale(k));
+  }
+  double b0 = 1, b1 = 1;
+  for (Eigen::Index k = n - 1; k > 0; --k) {
+    const auto at = static_cast<std::size_t>(k);
+    const double dt_s = grid.t_s[at] - grid.t_s[at - 1];
+    const auto [from_low, from_high] = to_high(levels, dt_s);
+    const double before = result.high(k - 1);  // still the forward probability
+    const double g1 = result.high(k) * b1, g0 = (1 - result.high(k)) * b0;
+    const double high_now = g1 / (g0 + g1);
+    const double rise = (1 - before) * from_low * f1(k) * b1;
+    const double stay_low = (1 - before) * (1 - from_low) * f0(k) * b0;
+    const double fall = before * (1 - from_high) * f0(k) * b0;
+    const double stay_high = before * from_high * f1(k) * b1;
+    const double total = rise + stay_low + fall + stay_high;
+    // Across a gap there may have been any number of flips: it counts for nothing.
+    if (dt_s < 3 * grid.weight_s[at]) {
+      result.rises += rise / total;
+      result.falls += fall / total;
+      result.low_s += dt_s * (rise + stay_low) / total;
+      result.high_s += dt_s * (fall + stay_high) / total;
+    }
+    const double new_b0 = (from_low * f1(k) * b1 + (1 - from_low) * f0(k) * b0) / scale(k);
+    b1 = (from_high * f1(k) * b1 + (1 - from_high) * f0(k) * b0) / scale(k);
+    b0 = new_b0;
+    result.high(k) = high_now;
+  }
+  const double g1 = result.high(0) * b1, g0 = (1 - result.high(0)) * b0;
+  result.high(0) = g1 / (g0 + g1);
+  return result;
+}
+
+struct Weighted {
+  Eigen::VectorXd root;  // sqrt of the bins' weights
+  Eigen::HouseholderQR<Eigen::MatrixXd> design;
+};
+
+void maximise(const SlowModel& model, const Weighted& weighted, const Expectation& expected,
+              Levels& levels) {
+  const Eigen::VectorXd state = expected.high.array() - 0.5;
+  const Eigen::VectorXd without = model.y() - levels.level * state;
+  levels.coefficients = weighted.design.solve((weighted.root.array() * without.array()).matrix());
+  const Eigen::VectorXd residual = model.y() - model.design() * levels.coefficients;
+  const Eigen::ArrayXd w = weighted.root.array().square();
+  levels.level = (w * state.array() * residual.array()).sum() / (w.sum() * 0.25);
+  const Eigen::ArrayXd spread =
+      expected.high.array() * (1 - expected.high.array()) * levels.level * levels.level;
+  const Eigen::ArrayXd error = (residual - levels.level * state).array().square() + spread;
+  levels.white_variance = (w * error).sum() / static_cast<double>(w.size());
+  levels.rise_per_s = std::clamp(expected.rises / std::max(expected.low_s, 1.0), 1e-6, 0.2);
+  levels.fall_per_s = std::clamp(expected.falls / std::max(expected.high_s, 1.0), 1e-6, 0.2);
+}
+
+}  // namespace
+
+SlowTelegraph fit_slow_telegraph(const SlowModel& model) {
+  const SlowGrid& grid = model.stream().grid();
+  Weighted weighted;
+  weighted.root = Eigen::Map<const Eigen::ArrayXd>(grid.weight_s.data(), model.y().size()).sqrt();
+  weighted.design.compute(weighted.root.asDiagonal() * model.design());
+  const SlowFit white = fit_given_shape(grid, model.y(), model.design(), {});
+  const double sd = white.white_sd_dps / std::sqrt(grid.weight_s.front());
+  SlowTelegraph best;
+  for (const double level : {1.0, 2.0}) {
+    for (const double dwell_s : {60.0, 400.0, 2500.0}) {
+      Levels levels{level * sd, 1 / dwell_s, 1 / dwell_s,
+                    white.white_sd_dps * white.white_sd_dps * (level > 1.5 ? 0.3 : 0.75),
+                    white.coefficients};
+      Expectation expected;
+      double before = -1e300;
+      for (int i = 0; i < 60; ++i) {
+        expected = expect(grid, model.y() - model.design() * levels.coefficients, levels);
+        if (expected.log_likelihood - before < 1e-3 && i > 5) break;
+        before = expected.log_likelihood;
+        maximise(model, weighted, expected, levels);
+      }
+      if (expected.log_likelihood <= best.log_likelihood) continue;
+      best.log_likelihood = expected.log_likelihood;
+      best.level_dps = std::abs(levels.level);
+      best.low_dwell_s = 1 / levels.rise_per_s;
+      best.high_dwell_s = 1 / levels.fall_per_s;
+      best.flips = expected.rises + expected.falls;
+      best.high = expected.high;
+      best.level_sd_dps =
+          2 *
+          std::sqrt(levels.white_variance /
+                    Eigen::Map<const Eigen::ArrayXd>(grid.weight_s.data(), model.y().size()).sum());
+    }
+  }
+  return best;
+}
+
+}  // namespace gyrocal

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "compensation/discrepancy/slow_search.h"
+
+namespace gyrocal {
+
+/// Two-level switching slow enough to be seen in the slow stream.
+struct SlowTelegraph {
+  double log_likelihood = -1e300;  ///< of design + two levels + white noise [nat]
+  double level_dps = 0, level_sd_dps = 0;
+  double low_dwell_s = 0, high_dwell_s = 0;
+  double flips = 0;      ///< expected number of changes of level
+  Eigen::VectorXd high;  ///< probability of the high level in each bin
+};
+
+/// Hidden Markov model over the bins, the design's coefficients fitted with it, several starts.
+/// One flip is a jump, not a telegraph: `flips` tells.
+[[nodiscard]] SlowTelegraph fit_slow_telegraph(const SlowModel& model);
+
+}  // namespace gyrocal

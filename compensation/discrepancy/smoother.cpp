@@ -1,0 +1,170 @@
+#include "compensation/discrepancy/smoother.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace gyrocal {
+namespace {
+
+constexpr int cosines = 24;
+
+struct Driver {
+  std::string name, unit;
+  std::vector<double> value;   // at the track's instants
+  std::vector<double> factor;  // multiplies the curve: +-1 by direction
+};
+
+/// +1 after the last movement of more than `band` upward, -1 after one downward.
+std::vector<double> direction(const Track& track, double band_c) {
+  std::vector<double> sign(track.record.size(), 1.0);
+  double turning = track.record.front().die_c, now = 1;
+  for (std::size_t i = 0; i < sign.size(); ++i) {
+    const double t = track.record[i].die_c;
+    if (now > 0 ? t > turning : t < turning) turning = t;
+    if (now > 0 && t < turning - band_c) now = -1, turning = t;
+    if (now < 0 && t > turning + band_c) now = 1, turning = t;
+    sign[i] = now;
+  }
+  return sign;
+}
+
+std::vector<double> since_step(const Track& track) {
+  std::vector<double> log_time(track.record.size());
+  double last_s = track.record.front().t_s, setpoint = track.record.front().setpoint_c;
+  for (std::size_t i = 0; i < log_time.size(); ++i) {
+    const rig::Drivers& now = track.record[i];
+    if (std::abs(now.setpoint_c - setpoint) > 0.3) last_s = now.t_s;
+    setpoint = now.setpoint_c;
+    log_time[i] = std::log10(60 + now.t_s - last_s);
+  }
+  return log_time;
+}
+
+std::vector<Driver> drivers(const Track& track) {
+  const auto each = [&](const std::function<double(const rig::Drivers&)>& value) {
+    std::vector<double> column;
+    for (const rig::Drivers& now : track.record) column.push_back(value(now));
+    return column;
+  };
+  const std::vector<double> ones(track.record.size(), 1.0);
+  const std::vector<double> die = each([](const rig::Drivers& d) { return d.die_c; });
+  const std::vector<double> sign = direction(track, 1.0);
+  return {
+      {"die temperature", "degC", die, ones},
+      {"die temperature, by direction", "degC", die, sign},
+      {"heating rate", "degC/min", each([](const rig::Drivers& d) { return d.die_rate_c_per_min; }),
+       ones},
+      {"chamber minus board", "degC",
+       each([](const rig::Drivers& d) { return std::clamp(d.chamber_c - d.board_c, -8.0, 8.0); }),
+       ones},
+      {"time since the last step", "log10 s", since_step(track), ones},
+      {"time", "h", each([](const rig::Drivers& d) { return d.t_s / 3600; }), ones},
+  };
+}
+
+struct Basis {
+  Eigen::MatrixXd bins;                      // n x cosines, whitened and projected
+  std::vector<std::vector<double>> courses;  // at the track's instants
+};
+
+Basis basis_of(const SlowModel& model, const Driver& driver) {
+  const auto [low, high] = std::minmax_element(driver.value.begin(), driver.value.end());
+  Basis basis;
+  basis.bins.resize(model.y().size(), cosines);
+  for (int k = 1; k <= cosines; ++k) {
+    std::vector<double> course(driver.value.size());
+    for (std::size_t i = 0; i < course.size(); ++i) {
+      const double x = (driver.value[i] - *low) / std::max(*high - *low, 1e-12);
+      course[i] = driver.factor[i] * std::cos(k * std::numbers::pi * x) / std::sqrt(k);
+    }
+    basis.bins.col(k - 1) = model.stream().bin(course);
+    basis.courses.push_back(std::move(course));
+  }
+  return basis;
+}
+
+/// Gain of a Gaussian curve of variance v per coefficient, v chosen best; and the coefficients.
+struct Marginal {
+  double nats = 0;
+  Eigen::VectorXd coefficients;
+};
+
+Marginal marginal_gain(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(x.transpose() * x);
+  const Eigen::VectorXd& lambda = eigen.eigenvalues();
+  const Eigen::VectorXd along = eigen.eigenvectors().transpose() * (x.transpose() * y);
+  const auto n = static_cast<double>(y.size());
+  const double rss = y.squaredNorm();
+  Marginal best{0, Eigen::VectorXd::Zero(x.cols())};
+  for (double log_v = -12; log_v < 18; log_v += 0.5) {
+    const double v = std::exp(log_v) * n / std::max(lambda.maxCoeff(), 1e-300) / n;
+    double explained = 0, logs = 0;
+    Eigen::VectorXd shrunk(lambda.size());
+    for (Eigen::Index i = 0; i < lambda.size(); ++i) {
+      const double l = std::max(lambda(i), 0.0);
+      shrunk(i) = v * along(i) / (1 + v * l);
+      explained += along(i) * shrunk(i);
+      logs += std::log1p(v * l);
+    }
+    const double nats = -0.5 * (n * std::log1p(-std::min(explained / rss, 1 - 1e-12)) + logs);
+    if (nats > best.nats) best = {nats, eigen.eigenvectors() * shrunk};
+  }
+  return best;
+}
+
+void describe(const Driver& driver, const Basis& basis, const Marginal& marginal,
+              SmoothGain& gain) {
+  gain.curve.assign(driver.value.size(), 0.0);
+  for (std::size_t i = 0; i < gain.curve.size(); ++i) {
+    for (int k = 0; k < cosines; ++k) {
+      gain.curve[i] += marginal.coefficients(k) * basis.courses[static_cast<std::size_t>(k)][i];
+    }
+  }
+  double mean = 0;
+  for (const double c : gain.curve) mean += c / static_cast<double>(gain.curve.size());
+  double square = 0;
+  for (std::size_t i = 0; i < gain.curve.size(); ++i) {
+    const double off = gain.curve[i] - mean;
+    square += off * off / static_cast<double>(gain.curve.size());
+    if (std::abs(off) > std::abs(gain.peak_dps)) {
+      gain.peak_dps = off;
+      gain.peak_at = driver.value[i];
+    }
+  }
+  gain.rms_dps = std::sqrt(square);
+}
+
+}  // namespace
+
+std::vector<SmoothGain> smooth_gains(const SlowModel& model) {
+  const SlowWhitener whitener(model.stream().grid(), model.fit_free().shape);
+  const Eigen::MatrixXd white = whitener.whiten(model.design());
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(white);
+  const Eigen::MatrixXd base =
+      qr.householderQ() * Eigen::MatrixXd::Identity(white.rows(), white.cols());
+  const auto off = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
+    const Eigen::MatrixXd w = whitener.whiten(columns);
+    return w - base * (base.transpose() * w);
+  };
+  const Eigen::VectorXd y = off(model.y());
+  std::vector<SmoothGain> gains;
+  for (const Driver& driver : drivers(model.track())) {
+    const Basis basis = basis_of(model, driver);
+    const Marginal marginal = marginal_gain(off(basis.bins), y);
+    SmoothGain gain;
+    gain.driver = driver.name;
+    gain.unit = driver.unit;
+    gain.nats = marginal.nats;
+    if (gain.nats > 0) describe(driver, basis, marginal, gain);
+    gains.push_back(std::move(gain));
+  }
+  std::stable_sort(gains.begin(), gains.end(),
+                   [](const SmoothGain& a, const SmoothGain& b) { return a.nats > b.nats; });
+  return gains;
+}
+
+}  // namespace gyrocal
