@@ -42,6 +42,7 @@ Result<DriftCurve> temperature_polynomial(const DriftSeries& series, int degree)
 const std::vector<Method>& all_methods() {
   static const std::vector<Method> all = [] {
     std::vector<Method> list;
+    list.reserve(names.size());
     for (const auto& [method, name] : names) list.push_back(method);
     return list;
   }();

@@ -1,5 +1,7 @@
 #include "compensation/drift/student_t.h"
 
+#include <math.h>  // lgamma_r
+
 #include <cmath>
 #include <limits>
 
@@ -29,11 +31,17 @@ double beta_fraction(double a, double b, double x) {
   return result;
 }
 
+/// std::lgamma writes the global signgam, which would race between threads.
+double log_gamma(double x) {
+  int sign = 0;
+  return ::lgamma_r(x, &sign);
+}
+
 double regularised_beta(double a, double b, double x) {
   if (x <= 0) return 0;
   if (x >= 1) return 1;
-  const double front = std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) +
-                                a * std::log(x) + b * std::log1p(-x));
+  const double front = std::exp(log_gamma(a + b) - log_gamma(a) - log_gamma(b) + a * std::log(x) +
+                                b * std::log1p(-x));
   if (x < (a + 1) / (a + b + 2)) return front * beta_fraction(a, b, x) / a;
   return 1 - front * beta_fraction(b, a, 1 - x) / b;
 }

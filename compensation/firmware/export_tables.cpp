@@ -14,6 +14,7 @@ Result<FirmwareFile> export_tables(const FirmwareRequest& request,
                                    const std::vector<AxisCurve>& curves,
                                    const std::string& comment) {
   std::vector<AxisTable> axes;
+  axes.reserve(curves.size());
   for (const auto& [identity, curve] : curves) {
     axes.push_back({identity, tabulated(curve, table_tolerance_dps)});
   }

@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <memory>
+#include <system_error>
 
 #include "compensation/firmware/export.h"
 #include "config/drift_model/model_file.h"
@@ -111,7 +111,8 @@ Result<void> write_text(const std::string& path, const std::string& text) {
   file << text << std::flush;
   if (file) return {};
   const int code = errno;
-  return fail(Errc::storage, fmt::format("cannot write {}: {}", path, std::strerror(code)),
+  return fail(Errc::storage,
+              fmt::format("cannot write {}: {}", path, std::generic_category().message(code)),
               "check path and space");
 }
 
