@@ -63,10 +63,9 @@ demo: build
 	done
 	cat $(DEMO)/rig.log
 	$(BUILD)/gyrocal run $(CAMPAIGN) --db $(DEMO)/demo.db
-	echo
-	echo "Three queries to try:"
-	sed -n '/^```sql demo/,/^```$$/p' docs/queries.md | grep -v '^```' | while read -r query; do
-	  echo "  sqlite3 -box $(DEMO)/demo.db \"$$query\""
+	printf '\n%s holds it all. Three queries to try:\n' $(DEMO)/demo.db
+	sed -n '/^## Three to begin/,/^## Where/{/^SELECT/p}' docs/queries.md | while read -r query; do
+	  printf '\n  sqlite3 -box %s "%s"\n' $(DEMO)/demo.db "$$query"
 	done
 
 test: build
@@ -80,12 +79,15 @@ judge: build
 	$(BUILD)/tests/hidden_effects/gyrocal_hidden_sessions --out build/judge --set full --seed 1
 	$(BUILD)/tests/hidden_effects/gyrocal_judge --gyrocal $(BUILD)/gyrocal --sessions build/judge --jobs $(JOBS)
 
-# The whole suite under the address, undefined-behaviour and thread sanitizers, then the long loops.
+# The whole suite under the sanitizers, then ten million inputs for every reader of bytes.
 soak: build
 	@for preset in dev tsan; do
 	  cmake --preset $$preset >build/configure-$$preset.log
 	  cmake --build --preset $$preset -j $(JOBS)
 	  ctest --preset $$preset -j $(JOBS)
+	done
+	for fuzz in fuzz_board fuzz_modbus fuzz_recording; do
+	  $(BUILD)/tests/fuzz/$$fuzz 10000000
 	done
 
 install: build
