@@ -76,8 +76,8 @@ bench: build
 
 judge: build
 	@rm -rf build/judge; mkdir -p build/judge
-	$(BUILD)/tests/hidden_effects/gyrocal_hidden_sessions --out build/judge --set full --seed 1
-	$(BUILD)/tests/hidden_effects/gyrocal_judge --gyrocal $(BUILD)/gyrocal --sessions build/judge --jobs $(JOBS)
+	$(BUILD)/gyrocal_hidden_sessions --out build/judge --set full --seed 1
+	$(BUILD)/gyrocal_judge --gyrocal $(BUILD)/gyrocal --sessions build/judge --jobs $(JOBS)
 
 # The whole suite under the sanitizers, then ten million inputs for every reader of bytes.
 soak: build

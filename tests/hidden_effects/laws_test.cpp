@@ -34,7 +34,7 @@ double swing(const Series& series) {
 
 }  // namespace
 
-TEST_CASE("each hysteresis has a gap of its amplitude between the branches, rate or no rate") {
+TEST_CASE("each hysteresis has branches its amplitude above and below the middle, rate or no rate") {
   const auto form =
       GENERATE(std::string("bouc_wen"), std::string("preisach"), std::string("play_spectrum"));
   const auto seed = GENERATE(range(0u, 5u));
@@ -46,7 +46,7 @@ TEST_CASE("each hysteresis has a gap of its amplitude between the branches, rate
     const Series shape = law.shape(over);
     const std::size_t quarter = over.seconds() / 4;  // at 20 degC both ways, far from the turns
     const double gap = shape[quarter] - shape[over.seconds() - 1 - quarter];
-    CHECK(gap == Approx(1.0).margin(form == "preisach" ? 0.12 : 0.02));
+    CHECK(gap == Approx(2.0).margin(form == "preisach" ? 0.24 : 0.04));
   }
 }
 

@@ -106,7 +106,7 @@ SlowLaw thermal_hysteresis(const std::string& form, Random& random) {
   SlowLaw law{"thermal_hysteresis",
               form,
               "dps",
-              "gap between heating and cooling branch",
+              "h: half the gap between the heating and the cooling branch",
               false,
               0.002,
               0.2,
@@ -116,9 +116,11 @@ SlowLaw thermal_hysteresis(const std::string& form, Random& random) {
   // Relays of one part stay where they are however often it is simulated.
   const Random relays(static_cast<std::uint64_t>(random.uniform(0.0, 1e9)));
   law.shape = [=](const Trajectory& over) {
-    if (form == "bouc_wen") return bouc_wen(over.die_c, width_c);
-    if (form == "preisach") return preisach(over.die_c, width_c, relays);
-    return play_spectrum(over.die_c, width_c);
+    Series series = form == "bouc_wen"   ? bouc_wen(over.die_c, width_c)
+                    : form == "preisach" ? preisach(over.die_c, width_c, relays)
+                                         : play_spectrum(over.die_c, width_c);
+    for (double& value : series) value *= 2;  // those run from -1/2 to 1/2, h from -h to h
+    return series;
   };
   return law;
 }

@@ -7,7 +7,8 @@ namespace hidden {
 
 // The laws that remember where the temperature has been.
 
-/// @param form  bouc_wen | preisach | play_spectrum. Amplitude: the gap between the branches.
+/// @param form  bouc_wen | preisach | play_spectrum. Amplitude: h of the catalogue, half the
+/// gap between the branches.
 SlowLaw thermal_hysteresis(const std::string& form, Random& random);
 
 /// A water film that grows by its own area while the air is above the dew point and the board
