@@ -61,6 +61,8 @@ std::vector<std::string> excluded_effects(const FastEvidence& fast, const Track&
   std::vector<std::string> names;
   if (!acceleration_varies(track)) names.push_back("g_sensitivity");
   for (const Finding& finding : found) {
+    // Its step comes and goes with the compressor: two levels, but not at random.
+    if (finding.effect == "compressor_vibration") names.push_back("random_telegraph_noise");
     if (finding.effect != "random_telegraph_noise") continue;
     names.push_back("random_telegraph_noise");
     // The slow side of its Lorentzian would pass for flicker.
@@ -223,7 +225,8 @@ Result<Diagnosis> diagnose(const Session& session, const rig::RigModel& model,
   rig::RigModel fast_before = fast_part(model);
 
   const std::vector<SlowFinding> story =
-      tell_slow_story(slow, session.sample_rate_hz, excluded_effects(c.fast, c.track, fast));
+      tell_slow_story(slow, session.sample_rate_hz, session.monitor_interval_s,
+                      excluded_effects(c.fast, c.track, fast));
   diagnosis.findings = to_findings(story);
   settle_between_channels(diagnosis.findings, fast);
   diagnosis.model = updated_model(model, slow, story, fast, c.fast.codes, c.axis, c.track);

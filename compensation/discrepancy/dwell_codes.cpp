@@ -108,10 +108,11 @@ void find_holes(const Counts& counts, CodeFindings& findings) {
     };
     const double seen = at(code);
     if (seen > hole_left_over * expected) continue;
-    const bool inside = std::any_of(counts.seen.begin(), counts.seen.find(code),
-                                    [](const auto& entry) { return entry.second > 0; }) &&
-                        at(code - 1) > seen && at(code + 1) > seen;
-    if (!inside || at(code - 1) + at(code + 1) < expected) continue;
+    // Codes come on either side of a hole; beyond a rail they come on one side only.
+    const auto comes = [](const auto& entry) { return entry.second >= expected_enough; };
+    const bool inside = std::any_of(counts.seen.begin(), counts.seen.lower_bound(code), comes) &&
+                        std::any_of(counts.seen.upper_bound(code), counts.seen.end(), comes);
+    if (!inside) continue;
     findings.holes.push_back(code);
     findings.holes_nats += expected - seen + (seen > 0 ? seen * std::log(seen / expected) : 0.0);
   }
@@ -288,7 +289,10 @@ CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps) {
       const double rounding = lsb * lsb / 12;
       double square = 0;
       for (const double r : dwell.residual_dps) square += r * r;
-      const double variance = square / static_cast<double>(dwell.residual_dps.size());
+      // Glitches widen the variance but not the quantiles, and would ask for codes far out.
+      const double robust = 1.2 * shape_of(dwell, lsb).sd;
+      const double variance =
+          std::min(square / static_cast<double>(dwell.residual_dps.size()), robust * robust);
       const double sd = std::sqrt(std::max(variance - rounding, 0.02 * lsb * lsb));
       expect_codes(counts.expected, dwell.mean_dps, sd, static_cast<double>(dwell.y_dps.size()),
                    lsb);

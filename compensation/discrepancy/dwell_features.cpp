@@ -46,6 +46,8 @@ double empty_codes(std::span<const double> y, double mean, double sd, double lsb
   std::map<std::int64_t, int> seen;
   for (const double value : y) ++seen[std::llround(value / lsb)];
   double empty = 0;
+  // More codes than samples: then most are empty for no reason.
+  if (2 * sd / lsb > static_cast<double>(y.size())) return 0;
   for (auto code = std::llround((mean - sd) / lsb); code <= std::llround((mean + sd) / lsb);
        ++code) {
     empty += !seen.contains(code);

@@ -172,6 +172,16 @@ std::vector<SpectralLine> find_lines(const DwellSpectrum& spectrum,
     // A sine of amplitude a holds a^2 n / 4 in all fine bins together, `fine` times over.
     best.amplitude_dps = std::sqrt(std::max(0.0, power) * spectrum.density_dps2 * 4 /
                                    (static_cast<double>(fine) * spectrum.samples));
+    double sum = 0, weighted = 0;
+    for (const double p : per_dwell) {
+      const double over = std::max(0.0, p - static_cast<double>(high - low + 1));
+      sum += over, weighted += over * over;
+    }
+    const auto dwell_count = static_cast<double>(per_dwell.size());
+    best.amplitude_when_on_dps =
+        sum > 0
+            ? best.amplitude_dps * std::sqrt(std::max(1.0, dwell_count * weighted / (sum * sum)))
+            : best.amplitude_dps;
     best.gating = correlation(per_dwell, cooling);
     lines.push_back(best);
     const std::size_t clear = std::max<std::size_t>(reach + 4, 8);

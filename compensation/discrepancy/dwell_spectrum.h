@@ -26,10 +26,11 @@ struct DwellSpectrum {
 /// A narrow feature standing out of the background.
 struct SpectralLine {
   double f_hz = 0;
-  double width_hz = 0;       ///< of the bins that hold it
-  double amplitude_dps = 0;  ///< of a sine, rms over dwells
-  double nats = 0;           ///< gain over no line, the number of places tried taken off
-  double gating = 0;         ///< correlation of the line's power with the chamber's cooling
+  double width_hz = 0;               ///< of the bins that hold it
+  double amplitude_dps = 0;          ///< of a sine, rms over dwells
+  double amplitude_when_on_dps = 0;  ///< power-weighted: in the dwells that have it
+  double nats = 0;                   ///< gain over no line, the number of places tried taken off
+  double gating = 0;                 ///< correlation of the line's power with the chamber's cooling
 };
 
 /// Lines, strongest first, each taken out before the next is looked for; none below `nats_min`.

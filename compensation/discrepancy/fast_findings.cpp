@@ -75,15 +75,9 @@ Finding name_line(const SpectralLine& line, const FastEvidence& evidence, double
                                  [&](Band band) { return folds_into(line, band, sample_rate_hz); });
   const bool follows_cooling = line.gating > gated;
   const auto compressor = [&] {
-    double running = 0;
-    for (const DwellData& dwell : evidence.dwells) {
-      running += dwell.cooling / static_cast<double>(evidence.dwells.size());
-    }
-    // The line is there only while the compressor runs; its power is spread over all dwells.
-    const double share = follows_cooling ? std::clamp(running, 0.2, 1.0) : 1.0;
-    const double a = mdps / std::sqrt(share);
-    Finding made =
-        finding("compressor_vibration", "line", a, "mdps", sd / std::sqrt(share), line.nats);
+    // The line is there only while the compressor runs: its power in dwells that have it.
+    const double a = 1000 * line.amplitude_when_on_dps;
+    Finding made = finding("compressor_vibration", "line", a, "mdps", sd * a / mdps, line.nats);
     made.parameters = {{"a", a}, {"f", line.f_hz}, {"acc", 0.0}};
     return made;
   };
@@ -110,10 +104,19 @@ Finding name_line(const SpectralLine& line, const FastEvidence& evidence, double
   return made;
 }
 
+double dwell_length_s(const FastEvidence& evidence) {
+  // Two fine bins are one over the length of a dwell.
+  return 1 / (2 * evidence.spectrum.bin_hz);
+}
+
 /// Lines of one cause become one finding, led by the strongest; a grid's second harmonic is told
 /// as a share of the first.
 void add_lines(const FastEvidence& evidence, double sample_rate_hz, std::vector<Finding>& found) {
+  const bool coloured =
+      std::max(evidence.colour.relax_nats, evidence.colour.flicker_nats) > gate_nats;
   for (const SpectralLine& line : evidence.lines) {
+    // The foot of coloured noise is no line.
+    if (line.f_hz < (coloured ? 1.0 : 6 / dwell_length_s(evidence))) continue;
     Finding next = name_line(line, evidence, sample_rate_hz);
     const auto same = std::find_if(found.begin(), found.end(), [&](const Finding& other) {
       return other.effect == next.effect && other.effect != "unknown";
@@ -130,14 +133,16 @@ void add_lines(const FastEvidence& evidence, double sample_rate_hz, std::vector<
 
 void add_telegraph(const FastEvidence& evidence, std::vector<Finding>& found) {
   const TelegraphFit& fit = evidence.telegraph;
-  if (fit.nats < gate_nats) return;
+  // Repeated samples are alike for a while too, and lose nothing by being called a level.
+  if (fit.nats < gate_nats || evidence.codes.stuck_nats > gate_nats) return;
   Finding made = finding("random_telegraph_noise", "two_levels", fit.level_dps * 1000, "mdps",
                          fit.level_sd_dps * 1000, fit.nats);
   made.parameters = {{"a", fit.level_dps * 1000},
                      {"low", fit.low_dwell_s},
                      {"high", fit.high_dwell_s},
                      {"ea", 0.0}};
-  made.lead_nats = std::min(fit.nats, fit.lead_nats);
+  // Two levels must do better than any Gaussian noise of a like spectrum.
+  made.lead_nats = std::min({fit.nats, fit.lead_nats, fit.nats - evidence.colour.flicker_nats});
   if (made.lead_nats < lead_to_name_nats) {
     if (evidence.colour.flicker_nats < gate_nats) return;
     made.confounded_with = {"bias_instability"};
@@ -155,17 +160,18 @@ void add_codes(const CodeFindings& codes, std::vector<Finding>& found) {
       const auto step = static_cast<double>(codes.holes[i] - codes.holes[i - 1]);
       period = period == 0 ? step : std::min(period, step);
     }
-    if (codes.holes.size() == 1) {
-      made.law = "single";
-      made.parameters = {{"code", first}};
-    } else {
+    const double span = static_cast<double>(codes.holes.back() - codes.holes.front());
+    if (codes.holes.size() > 1 && period >= 2 &&
+        span / period + 1 == static_cast<double>(codes.holes.size())) {
       // Holes at one distance are a bit of the converter: then the share is known exactly.
-      const double span = static_cast<double>(codes.holes.back() - codes.holes.front());
-      if (span / period + 1 == static_cast<double>(codes.holes.size()) && period >= 2) {
-        made.amplitude = 1 / period;
-      }
-      made.parameters = {{"share", 1 / std::max(period, 2.0)},
+      made.amplitude = 1 / period;
+      made.parameters = {{"share", made.amplitude},
                          {"phase", first - period * std::floor(first / period)}};
+    } else {
+      made.law = "single";
+      for (const std::int64_t hole : codes.holes) {
+        made.parameters.emplace_back("code", static_cast<double>(hole));
+      }
     }
     std::string list;
     for (std::size_t i = 0; i < codes.holes.size() && i < 12; ++i) {
@@ -195,7 +201,10 @@ void add_codes(const CodeFindings& codes, std::vector<Finding>& found) {
     made.parameters = {{"share", codes.stuck_share}, {"length", codes.stuck_length}};
     found.push_back(std::move(made));
   }
-  if (codes.spread_nats > gate_nats) {
+  // A rail or holes change the spread wherever the mean comes near them.
+  const bool bent =
+      codes.holes_nats > gate_nats || codes.upper_nats > gate_nats || codes.lower_nats > gate_nats;
+  if (codes.spread_nats > gate_nats && !bent) {
     Finding made =
         finding("noise_temperature_dependence", "exponential", codes.spread_percent_per_c, "%/degC",
                 codes.spread_sd, codes.spread_nats);

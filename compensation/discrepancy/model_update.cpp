@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "compensation/discrepancy/verdict.h"
 #include "compensation/rig/effects/catalogue.h"
@@ -84,7 +85,7 @@ void give_known_effects(std::span<const rig::Instance> instances, const rig::Rig
 
 void add_findings(SlowModel& slow, const std::vector<SlowFinding>& story, std::size_t count) {
   std::vector<SlowTerm> terms;
-  std::vector<std::vector<double>> shapes;
+  std::vector<std::vector<double>> shapes = slow.shapes();
   NoiseFamily family = slow.noise();
   for (std::size_t i = 0; i < count; ++i) {
     if (story[i].term) terms.push_back(*story[i].term);
@@ -101,6 +102,7 @@ void add_findings(SlowModel& slow, const std::vector<SlowFinding>& story, std::s
 bool already_modelled(const Finding& finding, std::span<const rig::Instance> instances) {
   return std::any_of(instances.begin(), instances.end(), [&](const rig::Instance& instance) {
     if (instance.effect->name != finding.effect) return false;
+    if (instance.law->info.name == "single") return true;  // its number is a code, not a share
     const double off = std::abs(finding.amplitude - instance.values[0]);
     return off <= std::max(4 * finding.standard_error, 0.25 * std::abs(instance.values[0]));
   });
@@ -132,6 +134,14 @@ void add_effect(rig::RigModel& model, const Finding& finding, std::size_t axis) 
       if (parameter.name != name) continue;
       use.parameters.emplace_back(name, std::clamp(value, parameter.low, parameter.high));
     }
+  }
+  if (use.effect == "missing_codes" && use.law == "single") {
+    // One hole a use: the law knows a single code.
+    for (const auto& hole : std::exchange(use.parameters, {})) {
+      use.parameters = {hole};
+      model.effects.push_back(use);
+    }
+    return;
   }
   // An effect found again, with another amplitude, takes the place of what was known of it.
   std::erase_if(model.effects, [&](const rig::EffectUse& known) {

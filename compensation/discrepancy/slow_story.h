@@ -17,6 +17,9 @@ struct SlowFinding {
   std::optional<SlowTerm> term;  ///< deterministic ones
   double amplitude = 0;          ///< in the catalogue's unit
   double amplitude_sd = 0;
+  /// What is told instead where a law's own number depends on its shape: mean aging per hour over
+  /// the record, largest drift of a film. 0: the amplitude itself.
+  double effective_amplitude = 0;
   std::vector<std::pair<std::string, double>> parameters;
   double evidence_nats = 0;                  ///< over the model without it
   double lead_nats = 0;                      ///< over the best of another name
@@ -32,8 +35,10 @@ inline constexpr double lead_to_name_nats = 5;
 /// Rounds of search, naming, refitting and swapping, until nothing is left or four things have been
 /// found. Leaves in `model` the terms, noise and shapes found.
 /// @param sample_rate_hz  tells which slow sine may be the alias of a mains frequency.
+/// @param interval_s  of the monitor: how well the instants of temperatures are known.
 /// @param excluded  effects not to be searched for: named by another channel, or impossible here.
 [[nodiscard]] std::vector<SlowFinding> tell_slow_story(SlowModel& model, double sample_rate_hz,
+                                                       double interval_s,
                                                        const std::vector<std::string>& excluded);
 
 }  // namespace gyrocal

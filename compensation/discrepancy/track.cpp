@@ -165,7 +165,8 @@ BoardSensorFit fit_board_sensor(const Session& session, const Seen& seen, const 
     }
   }
   const SensorMisfit with_rig_tau = misfit_at(std::log(tau_of_rig_s));
-  const bool better = at_a.mean_square < 0.98 * with_rig_tau.mean_square;
+  // A few dwells with ramps between them tell the lag; a single one does not.
+  const bool better = session.dwells.size() >= 4 && at_a.mean_square < with_rig_tau.mean_square;
   const SensorMisfit& chosen = better ? at_a : with_rig_tau;
   if (better) fit.tau_s = std::exp(a);
   fit.tau_fitted = better;

@@ -84,14 +84,18 @@ std::vector<std::vector<double>> trial_values(const rig::Effect& effect, const r
   if (name == "self_heating/die") return product({{-1.5, 1.5}, {60, 180, 500, 1200, 2000}, {0.3}});
   if (name == "self_heating/direct") return product({{1}, {60, 120, 250, 500, 1000, 2000}});
   if (name == "compressor_vibration/step") return {{1}};
-  if (name == "g_sensitivity/measured") return product({{1}, {-1, 0, 1}, {-1, 0, 1}});
+  if (name == "g_sensitivity/measured") return product({{1}, {-8, -1, 0, 1, 8}, {-8, -1, 0, 1, 8}});
   if (name == "aging_drift/linear") return {{1}};
   if (effect.name == "aging_drift") return product({{1}, {0.5, 2, 8}});
   if (name == "bias_jump/step") {
     return product(
         {{1}, steps(extent.t_min_s, extent.t_max_s, (extent.t_max_s - extent.t_min_s) / 600)});
   }
-  if (name == "mode_crossing/mixed") return {};  // refined from the pure forms
+  if (name == "mode_crossing/mixed") {
+    Rows rows = places_and_widths(extent, {-45});
+    for (Rows more = places_and_widths(extent, {45}); Values & row : more) rows.push_back(row);
+    return rows;
+  }
   if (effect.name == "mode_crossing") return places_and_widths(extent, {});
   if (effect.name == "condensation_step") {
     return product({{1}, {-5, -2, 1, 4, 7, 10, 12}, {60, 120, 300}, {900, 1800, 3600}});

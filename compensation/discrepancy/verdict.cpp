@@ -97,6 +97,10 @@ std::vector<Finding> to_findings(const std::vector<SlowFinding>& story) {
             finding.parameters.begin(),
             {std::string(effect->laws.front()->info.parameters[0].name), slow.amplitude});
     }
+    if (slow.effective_amplitude != 0) {
+      finding.standard_error *= std::abs(slow.effective_amplitude / finding.amplitude);
+      finding.amplitude = slow.effective_amplitude;
+    }
     findings.push_back(std::move(finding));
   }
   return findings;
