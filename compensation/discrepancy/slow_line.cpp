@@ -1,10 +1,10 @@
 #include "compensation/discrepancy/slow_line.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "compensation/discrepancy/off_design.h"
 #include "compensation/discrepancy/simplex.h"
 
 namespace gyrocal {
@@ -67,16 +67,8 @@ struct Peak {
 /// Gain of a free sine at each frequency, noise fixed.
 std::vector<Peak> scan(const SlowModel& model, const SlowNoiseShape& noise) {
   const SlowStream& stream = model.stream();
-  const SlowWhitener whitener(stream.grid(), noise);
-  const Eigen::MatrixXd white = whitener.whiten(model.design());
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(white);
-  const Eigen::MatrixXd base =
-      qr.householderQ() * Eigen::MatrixXd::Identity(white.rows(), white.cols());
-  const auto off = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
-    const Eigen::MatrixXd w = whitener.whiten(columns);
-    return w - base * (base.transpose() * w);
-  };
-  const Eigen::VectorXd y = off(model.y());
+  const OffDesign design(model, noise);
+  const Eigen::VectorXd y = design.off(model.y());
   const double rss = y.squaredNorm();
   const auto n = static_cast<double>(y.size());
   const double span_s = stream.grid().t_s.back() - stream.grid().t_s.front();
@@ -91,7 +83,7 @@ std::vector<Peak> scan(const SlowModel& model, const SlowNoiseShape& noise) {
       const double f = (turns_min + 0.5 * static_cast<double>(first + i)) / span_s;
       columns.middleCols(2 * i, 2) = columns_at(stream, model.track(), f);
     }
-    const Eigen::MatrixXd x = off(columns);
+    const Eigen::MatrixXd x = design.off(columns);
     for (Eigen::Index i = 0; i < size; ++i) {
       const auto pair = x.middleCols(2 * i, 2);
       const Eigen::Matrix2d gram = pair.transpose() * pair;

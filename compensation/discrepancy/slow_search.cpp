@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compensation/discrepancy/off_design.h"
 #include "compensation/discrepancy/simplex.h"
 #include "compensation/values/assert.h"
 
@@ -48,23 +49,6 @@ std::vector<LawColumns> all_columns(const SlowModel& model) {
   }
   return all;
 }
-
-/// Projects columns off the whitened design; what the design can do is no evidence.
-class Projector {
- public:
-  Projector(const SlowModel& model, const SlowWhitener& whitener) {
-    const Eigen::Index p = model.design().cols();
-    const Eigen::MatrixXd white = whitener.whiten(model.design());
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(white);
-    basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(white.rows(), p);
-  }
-  [[nodiscard]] Eigen::MatrixXd off(const Eigen::MatrixXd& columns) const {
-    return columns - basis_ * (basis_.transpose() * columns);
-  }
-
- private:
-  Eigen::MatrixXd basis_;
-};
 
 /// Gain of each column alone at fixed noise, the white level profiled out. A column that the
 /// design can make by itself gains nothing.
@@ -259,12 +243,11 @@ std::vector<SlowCandidate> search_effects(const SlowModel& model) {
   std::vector<Trial> trials;
   for (std::size_t s = 0; s < settings.size(); ++s) {
     if (s > 0 && settings[s] == settings[s - 1]) continue;
-    const SlowWhitener whitener(model.stream().grid(), settings[s]);
-    const Projector projector(model, whitener);
-    const Eigen::VectorXd y_off = projector.off(whitener.whiten(model.y()));
+    const OffDesign design(model, settings[s]);
+    const Eigen::VectorXd y_off = design.off(model.y());
     for (const LawColumns& entry : all) {
-      const Eigen::MatrixXd white = whitener.whiten(entry.columns);
-      take_best(entry, gains(white, projector.off(white), y_off), s, trials);
+      const Eigen::MatrixXd white = design.whitener().whiten(entry.columns);
+      take_best(entry, gains(white, design.off_white(white), y_off), s, trials);
     }
   }
   std::vector<SlowCandidate> best;

@@ -1,11 +1,12 @@
 #include "compensation/discrepancy/smoother.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
+
+#include "compensation/discrepancy/off_design.h"
 
 namespace gyrocal {
 namespace {
@@ -141,20 +142,12 @@ void describe(const Driver& driver, const Basis& basis, const Marginal& marginal
 }  // namespace
 
 std::vector<SmoothGain> smooth_gains(const SlowModel& model) {
-  const SlowWhitener whitener(model.stream().grid(), model.fit_free().shape);
-  const Eigen::MatrixXd white = whitener.whiten(model.design());
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(white);
-  const Eigen::MatrixXd base =
-      qr.householderQ() * Eigen::MatrixXd::Identity(white.rows(), white.cols());
-  const auto off = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
-    const Eigen::MatrixXd w = whitener.whiten(columns);
-    return w - base * (base.transpose() * w);
-  };
-  const Eigen::VectorXd y = off(model.y());
+  const OffDesign design(model, model.fit_free().shape);
+  const Eigen::VectorXd y = design.off(model.y());
   std::vector<SmoothGain> gains;
   for (const Driver& driver : drivers(model.track())) {
     const Basis basis = basis_of(model, driver);
-    const Marginal marginal = marginal_gain(off(basis.bins), y);
+    const Marginal marginal = marginal_gain(design.off(basis.bins), y);
     SmoothGain gain;
     gain.driver = driver.name;
     gain.unit = driver.unit;

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "compensation/discrepancy/off_design.h"
 #include "compensation/discrepancy/slow_noise.h"
 #include "compensation/rig/effects/catalogue.h"
 
@@ -164,11 +164,7 @@ Verdict verdict_of(const std::vector<Finding>& findings) {
 std::map<std::string, double> slow_limits(const SlowModel& model) {
   std::map<std::string, double> limits;
   const SlowNoiseShape& shape = model.fit().shape;
-  const SlowWhitener whitener(model.stream().grid(), shape);
-  const Eigen::MatrixXd white = whitener.whiten(model.design());
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(white);
-  const Eigen::MatrixXd base =
-      qr.householderQ() * Eigen::MatrixXd::Identity(white.rows(), white.cols());
+  const OffDesign design(model, shape);
   const double needed = std::sqrt(2 * gate_nats) * model.fit().white_sd_dps;
   for (const rig::Effect& effect : rig::catalogue()) {
     if ((effect.channels & rig::slow_drift) == 0) continue;
@@ -178,8 +174,8 @@ std::map<std::string, double> slow_limits(const SlowModel& model) {
     if (!trials.empty()) values = trials[trials.size() / 2];
     const double at = law.info.linear ? 1.0 : values[0];
     values[0] = at;
-    const Eigen::VectorXd column = whitener.whiten(model.column(law, values));
-    const double left = (column - base * (base.transpose() * column)).norm();
+    const Eigen::VectorXd column = design.whitener().whiten(model.column(law, values));
+    const double left = design.off_white(column).norm();
     if (left > 1e-4 * column.norm() && left > 0) {
       limits[std::string(effect.name)] = needed / left * at;
     }
