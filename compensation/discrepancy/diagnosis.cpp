@@ -273,7 +273,7 @@ Result<Diagnosis> diagnose(const Session& session, const rig::RigModel& model,
   explain(diagnosis.findings);
   diagnosis.verdict = verdict_of(diagnosis.findings);
   diagnosis.detection_limits = slow_limits(slow);
-  diagnosis.detection_limits.merge(fast_limits(c.fast, session.sample_rate_hz));
+  diagnosis.detection_limits.merge(fast_limits(c.fast));
   add_sensor_limit(c.track.board_sensor, diagnosis.detection_limits);
   for (const rig::Effect& effect : rig::catalogue()) {
     if (!diagnosis.detection_limits.contains(std::string(effect.name))) {

@@ -68,7 +68,7 @@ struct Diagnosis {
 };
 
 struct DiagnoseOptions {
-  int jobs = 1;  ///< threads; the answer does not depend on it
+  int jobs = 1;  ///< threads (one is used so far); the answer does not depend on it
 };
 
 /// Compares a session with what the rig model predicts from its measured temperatures, names what

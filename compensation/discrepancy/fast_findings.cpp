@@ -284,7 +284,7 @@ std::vector<Finding> fast_findings(const FastEvidence& evidence, double sample_r
   return found;
 }
 
-std::map<std::string, double> fast_limits(const FastEvidence& evidence, double) {
+std::map<std::string, double> fast_limits(const FastEvidence& evidence) {
   std::map<std::string, double> limits;
   if (evidence.dwells.empty()) return limits;
   double samples = 0, spread = 0, mean_c = 0;

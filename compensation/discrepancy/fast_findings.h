@@ -30,7 +30,6 @@ struct FastEvidence {
                                                  double sample_rate_hz);
 
 /// Smallest amplitude each fast effect would have been found at, in the catalogue's unit.
-[[nodiscard]] std::map<std::string, double> fast_limits(const FastEvidence& evidence,
-                                                        double sample_rate_hz);
+[[nodiscard]] std::map<std::string, double> fast_limits(const FastEvidence& evidence);
 
 }  // namespace gyrocal

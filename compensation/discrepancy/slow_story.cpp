@@ -23,11 +23,6 @@ constexpr double curve_over_name = 1.5;
 constexpr double unexplained_share = 0.12;
 constexpr double unknown_gate_nats = 12;
 
-/// What has been added so far; the model is made from it.
-struct Chapter {
-  SlowOption option;
-};
-
 /// What the model had before the story began.
 struct Given {
   std::vector<SlowTerm> terms;
@@ -55,7 +50,7 @@ std::vector<std::vector<double>> timing_error(const SlowModel& model, double int
   return {std::move(course)};
 }
 
-void apply(SlowModel& model, const std::vector<Chapter>& chapters, const Given& given,
+void apply(SlowModel& model, const std::vector<SlowOption>& chapters, const Given& given,
            std::size_t leave_out) {
   std::vector<SlowTerm> terms = given.terms;
   NoiseFamily noise = given.noise;
@@ -63,7 +58,7 @@ void apply(SlowModel& model, const std::vector<Chapter>& chapters, const Given& 
   Eigen::VectorXd known = Eigen::VectorXd::Zero(model.stream().size());
   for (std::size_t i = 0; i < chapters.size(); ++i) {
     if (i == leave_out) continue;
-    const SlowOption& option = chapters[i].option;
+    const SlowOption& option = chapters[i];
     if (option.finding.term) terms.push_back(*option.finding.term);
     noise.flicker = noise.flicker || option.noise.flicker;
     noise.walk = noise.walk || option.noise.walk;
@@ -119,13 +114,13 @@ SlowOption curve_option(const SmoothGain& gain) {
   return option;
 }
 
-std::vector<std::string> already(const std::vector<Chapter>& chapters,
+std::vector<std::string> already(const std::vector<SlowOption>& chapters,
                                  const std::vector<std::string>& excluded, std::size_t leave_out) {
   std::vector<std::string> names = excluded;
   for (std::size_t i = 0; i < chapters.size(); ++i) {
     // A second jump is a second event, a second sine a harmonic; a second hysteresis is a wrong
     // law.
-    const std::string& name = chapters[i].option.finding.effect;
+    const std::string& name = chapters[i].finding.effect;
     const bool again = name == "bias_jump" || name == "mains_hum" || name == "unknown";
     if (i != leave_out && !again) names.push_back(name);
   }
@@ -175,8 +170,8 @@ class Story {
 
   std::vector<SlowFinding> findings() const {
     std::vector<SlowFinding> found;
-    for (const Chapter& chapter : chapters_) {
-      found.push_back(chapter.option.finding);
+    for (const SlowOption& chapter : chapters_) {
+      found.push_back(chapter.finding);
       found.back().effective_amplitude = effective_amplitude(found.back(), model_);
     }
     return found;
@@ -188,13 +183,13 @@ class Story {
     if (leave_out != nobody) return;
     // The joint fit has the last word on amplitudes.
     std::size_t next = given_.terms.size();
-    for (Chapter& chapter : chapters_) {
-      if (!chapter.option.finding.term) continue;
+    for (SlowOption& chapter : chapters_) {
+      if (!chapter.finding.term) continue;
       const SlowTerm& term = model_.terms()[next++];
       if (term.law->info.linear) {
-        chapter.option.finding.term = term;
-        chapter.option.finding.amplitude = term.values[0];
-        chapter.option.finding.amplitude_sd = term.amplitude_sd;
+        chapter.finding.term = term;
+        chapter.finding.amplitude = term.values[0];
+        chapter.finding.amplitude_sd = term.amplitude_sd;
       }
     }
   }
@@ -205,14 +200,14 @@ class Story {
     if (best == options.end()) return false;
     judge(*best, options);
     if (curve_is_better_than(*best)) return false;
-    chapters_.push_back({*best});
+    chapters_.push_back(*best);
     remake();
     return true;
   }
 
   [[nodiscard]] bool worth_another_look() const {
     return chapters_.size() > 1 ||
-           (chapters_.size() == 1 && !chapters_.front().option.finding.rivals.empty());
+           (chapters_.size() == 1 && !chapters_.front().finding.rivals.empty());
   }
 
   /// Takes each finding out and looks for the best in its place: keeps what is better, and leaves
@@ -229,8 +224,8 @@ class Story {
         continue;
       }
       judge(*best, options);
-      changed = changed || best->finding.effect != chapters_[i].option.finding.effect;
-      chapters_[i].option = *best;
+      changed = changed || best->finding.effect != chapters_[i].finding.effect;
+      chapters_[i] = *best;
       ++i;
     }
     remake();
@@ -257,8 +252,8 @@ class Story {
   /// What the strongest deterministic finding explains.
   [[nodiscard]] double explained() const {
     double most = 0;
-    for (const Chapter& chapter : chapters_) {
-      if (!is_noise(chapter.option)) most = std::max(most, chapter.option.score);
+    for (const SlowOption& chapter : chapters_) {
+      if (!is_noise(chapter)) most = std::max(most, chapter.score);
     }
     return most;
   }
@@ -274,8 +269,8 @@ class Story {
     if (chapters_.size() < crowd) return;
     // One course for all parts: side by side they would be nearly dependent.
     std::vector<double> together(model_.track().record.size(), 0.0);
-    for (Chapter& chapter : chapters_) {
-      SlowFinding& finding = chapter.option.finding;
+    for (SlowOption& chapter : chapters_) {
+      SlowFinding& finding = chapter.finding;
       if (finding.effect == "unknown") continue;
       finding.description = fmt::format(
           "a part that {} would describe ({:.3g} in its unit), but {} such parts are needed, so "
@@ -293,7 +288,7 @@ class Story {
       finding.rivals.clear();
       finding.parameters.clear();
     }
-    SlowFinding& first = chapters_.front().option.finding;
+    SlowFinding& first = chapters_.front().finding;
     if (std::any_of(together.begin(), together.end(), [](double dps) { return dps != 0; })) {
       first.courses.push_back(std::move(together));
       first.unknown_driver = "time";
@@ -303,21 +298,21 @@ class Story {
 
   void add_unexplained_rest() {
     double named = 0;
-    for (const Chapter& chapter : chapters_) named += chapter.option.score;
+    for (const SlowOption& chapter : chapters_) named += chapter.score;
     for (int i = 0; i < 2; ++i) {
       const auto gains = smooth_gains(model_);
       if (gains.front().nats < std::max(unknown_gate_nats, unexplained_share * named)) return;
       withdraw_names_beaten_by(gains.front());
-      chapters_.push_back({curve_option(gains.front())});
+      chapters_.push_back(curve_option(gains.front()));
       remake();
     }
   }
 
   /// A name whose own driver still shows a curve of this weight was a wrong name.
   void withdraw_names_beaten_by(const SmoothGain& gain) {
-    for (Chapter& chapter : chapters_) {
-      if (chapter.option.finding.term && gain.nats * curve_over_name > chapter.option.score) {
-        chapter.option.finding.rivals.push_back("unknown");
+    for (SlowOption& chapter : chapters_) {
+      if (chapter.finding.term && gain.nats * curve_over_name > chapter.score) {
+        chapter.finding.rivals.push_back("unknown");
       }
     }
   }
@@ -326,7 +321,7 @@ class Story {
   double sample_rate_hz_;
   std::vector<std::string> excluded_;
   Given given_;
-  std::vector<Chapter> chapters_;
+  std::vector<SlowOption> chapters_;
 };
 
 }  // namespace

@@ -102,7 +102,7 @@ Marginal marginal_gain(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
   const double rss = y.squaredNorm();
   Marginal best{0, Eigen::VectorXd::Zero(x.cols())};
   for (double log_v = -12; log_v < 18; log_v += 0.5) {
-    const double v = std::exp(log_v) * n / std::max(lambda.maxCoeff(), 1e-300) / n;
+    const double v = std::exp(log_v) / std::max(lambda.maxCoeff(), 1e-300);
     double explained = 0, logs = 0;
     Eigen::VectorXd shrunk(lambda.size());
     for (Eigen::Index i = 0; i < lambda.size(); ++i) {

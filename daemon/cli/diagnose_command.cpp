@@ -129,7 +129,9 @@ void add_diagnose(CLI::App& root, Chosen& chosen) {
                       "write the model with what was found added");
   command->add_option("--prediction", options->prediction,
                       "write t_s,measured_dps,before_dps,after_dps for every monitor row");
-  command->add_option("--jobs", options->jobs, "threads; the answer does not depend on it")
+  command
+      ->add_option("--jobs", options->jobs,
+                   "threads (one is used so far); the answer does not depend on it")
       ->check(CLI::Range(1, 256));
   command->add_flag("--json", options->json, "print JSON");
   command->add_flag("--exit-code", options->verdict_as_exit_code,

@@ -15,22 +15,10 @@ namespace {
 
 constexpr double megabyte = 1e6;
 
-const char* word(ChamberRun run) {
-  switch (run) {
-    case ChamberRun::stopped:
-      return "stopped";
-    case ChamberRun::running:
-      return "running";
-    case ChamberRun::paused:
-      return "paused";
-  }
-  return "";
-}
-
 std::string text_of(const ChamberReading& reading) {
   std::string text = fmt::format("{:.1f} degC, setpoint {:.1f} degC", reading.actual.value,
                                  reading.setpoint.value);
-  if (reading.run) text += fmt::format(", {}", word(*reading.run));
+  if (reading.run) text += fmt::format(", {}", name_of(*reading.run));
   return text;
 }
 

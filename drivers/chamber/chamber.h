@@ -9,6 +9,19 @@ namespace gyrocal {
 
 enum class ChamberRun { stopped, running, paused };
 
+/// As chamber profiles and messages call it.
+[[nodiscard]] constexpr const char* name_of(ChamberRun run) {
+  switch (run) {
+    case ChamberRun::stopped:
+      return "stopped";
+    case ChamberRun::running:
+      return "running";
+    case ChamberRun::paused:
+      return "paused";
+  }
+  return "stopped";
+}
+
 /// One reading of a chamber. What a profile has no register for is absent.
 struct ChamberReading {
   Celsius actual;    ///< process value

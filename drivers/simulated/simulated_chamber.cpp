@@ -11,18 +11,6 @@ namespace {
 
 double campaign_s(Instant now) { return to_seconds(now.time_since_epoch()); }
 
-const char* name_of(ChamberRun run) {
-  switch (run) {
-    case ChamberRun::stopped:
-      return "stopped";
-    case ChamberRun::running:
-      return "running";
-    case ChamberRun::paused:
-      return "paused";
-  }
-  return "stopped";
-}
-
 ChamberRun run_named(const std::string& name) {
   if (name == "running") return ChamberRun::running;
   return name == "paused" ? ChamberRun::paused : ChamberRun::stopped;
