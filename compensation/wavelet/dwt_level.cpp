@@ -9,27 +9,27 @@
 namespace gyrocal {
 namespace {
 
-constexpr std::size_t max_half_taps = 15;   // coif5
-constexpr std::size_t block_outputs = 512;  // even and odd part of a block stay in the L1 cache
+constexpr std::size_t max_half_taps = 15;  // coif5
 constexpr std::size_t edge_pairs_at_once = 16;
 
-/// Writes the continued signal from index `begin` on, `pairs` even-odd pairs of it.
-void split_continued(std::span<const double> signal, Boundary boundary, std::ptrdiff_t begin,
-                     std::size_t pairs, double* even, double* odd) {
-  const auto length = static_cast<std::ptrdiff_t>(signal.size());
-  const auto count = static_cast<std::ptrdiff_t>(pairs);
-  const std::ptrdiff_t inside = std::clamp<std::ptrdiff_t>((1 - begin) / 2, 0, count);
-  const std::ptrdiff_t outside = std::clamp<std::ptrdiff_t>((length - begin) / 2, inside, count);
-  const auto at_edge = [&](std::ptrdiff_t pair) {
-    even[pair] = continued(signal, begin + 2 * pair, boundary);
-    odd[pair] = continued(signal, begin + 2 * pair + 1, boundary);
-  };
-  for (std::ptrdiff_t pair = 0; pair < inside; ++pair) at_edge(pair);
-  if (outside > inside) {
-    kernels().split(signal.data() + begin + 2 * inside, static_cast<std::size_t>(outside - inside),
-                    even + inside, odd + inside);
+/// Outputs [begin, end) of which some see beyond an end of the signal. Output o starts at signal
+/// index first + 2o.
+void analyse_edge(std::span<const double> signal, const FilterBank& bank, Boundary boundary,
+                  std::size_t begin, std::size_t end, std::span<double> low,
+                  std::span<double> high) {
+  const std::size_t half_taps = bank.taps() / 2;
+  std::array<double, 2 * (edge_pairs_at_once + max_half_taps)> seen;
+  while (begin < end) {
+    const std::size_t count = std::min(end - begin, edge_pairs_at_once);
+    const std::ptrdiff_t from =
+        first_index(bank.taps(), boundary) + 2 * static_cast<std::ptrdiff_t>(begin);
+    for (std::size_t i = 0; i < 2 * (count + half_taps - 1); ++i) {
+      seen[i] = continued(signal, from + static_cast<std::ptrdiff_t>(i), boundary);
+    }
+    kernels().analyse(seen.data(), count, bank.rec_lo.data(), bank.rec_hi.data(), half_taps,
+                      low.data() + begin, high.data() + begin);
+    begin += count;
   }
-  for (std::ptrdiff_t pair = outside; pair < count; ++pair) at_edge(pair);
 }
 
 }  // namespace
@@ -48,17 +48,19 @@ void analyse_level(std::span<const double> signal, const FilterBank& bank, Bound
                    std::span<double> low, std::span<double> high) {
   const std::size_t half_taps = bank.taps() / 2;
   GYROCAL_ASSERT(!signal.empty() && half_taps <= max_half_taps && low.size() == high.size());
-  alignas(64) std::array<double, block_outputs + max_half_taps - 1> even;
-  alignas(64) std::array<double, block_outputs + max_half_taps - 1> odd;
-  for (std::size_t at = 0; at < low.size(); at += block_outputs) {
-    const std::size_t count = std::min(block_outputs, low.size() - at);
-    const std::ptrdiff_t begin =
-        first_index(bank.taps(), boundary) + 2 * static_cast<std::ptrdiff_t>(at);
-    split_continued(signal, boundary, begin, count + half_taps - 1, even.data(), odd.data());
+  const std::ptrdiff_t first = first_index(bank.taps(), boundary);
+  const std::size_t inside = std::min(low.size(), static_cast<std::size_t>((1 - first) / 2));
+  const std::ptrdiff_t last_begin = std::ssize(signal) - static_cast<std::ptrdiff_t>(bank.taps());
+  const std::ptrdiff_t fitting = last_begin < first ? 0 : (last_begin - first) / 2 + 1;
+  const std::size_t outside = std::clamp(static_cast<std::size_t>(fitting), inside, low.size());
+  analyse_edge(signal, bank, boundary, 0, inside, low, high);
+  if (outside > inside) {
     // The correlation with rec_* is the convolution with dec_*.
-    kernels().analyse(even.data(), odd.data(), count, bank.rec_lo.data(), bank.rec_hi.data(),
-                      half_taps, low.data() + at, high.data() + at);
+    kernels().analyse(signal.data() + first + 2 * static_cast<std::ptrdiff_t>(inside),
+                      outside - inside, bank.rec_lo.data(), bank.rec_hi.data(), half_taps,
+                      low.data() + inside, high.data() + inside);
   }
+  analyse_edge(signal, bank, boundary, outside, low.size(), low, high);
 }
 
 namespace {

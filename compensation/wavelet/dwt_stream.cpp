@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <vector>
 
 #include "compensation/values/assert.h"
@@ -48,23 +47,15 @@ struct Level {
   Queue input;  // unused in the first level, which reads the signal itself
 };
 
-/// What all levels share, small enough to stay in the L1 cache.
-struct Scratch {
-  alignas(64) std::array<double, chunk / 2 + 2 * max_taps> even;
-  alignas(64) std::array<double, chunk / 2 + 2 * max_taps> odd;
-};
-
 /// All outputs that `held` values of input allow; the approximations go to `low`.
 /// @param next  input to fetch meanwhile, or null.
 /// @return how many; twice as many values of the input are used up.
 std::size_t work(const FilterBank& bank, const double* input, std::size_t held, const double* next,
-                 double* low, Level& level, Scratch& scratch) {
+                 double* low, Level& level) {
   if (held < bank.taps()) return 0;
   const std::size_t half_taps = bank.taps() / 2;
   const std::size_t outputs = (held - bank.taps()) / 2 + 1;
-  kernels().split(input, outputs + half_taps - 1, scratch.even.data(), scratch.odd.data());
-  kernels().analyse_long(scratch.even.data(), scratch.odd.data(), outputs, bank.rec_lo.data(),
-                         bank.rec_hi.data(), half_taps, low,
+  kernels().analyse_long(input, outputs, bank.rec_lo.data(), bank.rec_hi.data(), half_taps, low,
                          level.details.data() + level.next_output, next);
   level.next_output += outputs;
   return outputs;
@@ -89,7 +80,6 @@ std::vector<Level> levels_after_left_end(const FilterBank& bank, Boundary bounda
 /// Everything that sees the signal only, not what lies beyond its ends.
 void stream_inside(std::span<const double> signal, const FilterBank& bank,
                    std::vector<Level>& levels, std::span<double> low) {
-  const auto scratch = std::make_unique<Scratch>();
   std::size_t used = levels[0].input.drop_first ? 1 : 0;
   for (std::size_t end = 0; end < signal.size();) {
     end = std::min(end + chunk, signal.size());
@@ -99,7 +89,7 @@ void stream_inside(std::span<const double> signal, const FilterBank& bank,
     for (std::size_t i = 0; i < levels.size(); ++i) {
       const bool last = i + 1 == levels.size();
       double* const to = last ? low.data() + levels[i].next_output : levels[i + 1].input.room();
-      const std::size_t outputs = work(bank, input, held, next, to, levels[i], *scratch);
+      const std::size_t outputs = work(bank, input, held, next, to, levels[i]);
       if (i == 0) {
         used += 2 * outputs;
       } else {

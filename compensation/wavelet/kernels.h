@@ -7,20 +7,16 @@ namespace gyrocal {
 /// The inner loops of the transform. Every instruction set adds in the same order with the
 /// same fused multiply-adds (one rounding), so all give the same result to the last bit.
 struct Kernels {
-  /// even(k) = signal(2k), odd(k) = signal(2k+1) for k < pairs.
-  void (*split)(const double* signal, std::size_t pairs, double* even, double* odd);
-
-  /// low(o) = sum over t < half_taps of lo(2t) even(o+t) + lo(2t+1) odd(o+t) for o < count; high
-  /// likewise with hi. even and odd hold count + half_taps - 1 values.
-  void (*analyse)(const double* even, const double* odd, std::size_t count, const double* lo,
-                  const double* hi, std::size_t half_taps, double* low, double* high);
+  /// low(o) = sum over j < 2 half_taps of lo(j) signal(2o+j) for o < count; high likewise with hi.
+  /// signal holds 2 (count + half_taps - 1) values.
+  void (*analyse)(const double* signal, std::size_t count, const double* lo, const double* hi,
+                  std::size_t half_taps, double* low, double* high);
 
   /// The same for signals longer than the caches: `high` goes past them (it is not read again
   /// soon, and memory need not be read before it is written), and meanwhile 2 count values from
   /// `next` on are fetched, if it is not null.
-  void (*analyse_long)(const double* even, const double* odd, std::size_t count, const double* lo,
-                       const double* hi, std::size_t half_taps, double* low, double* high,
-                       const double* next);
+  void (*analyse_long)(const double* signal, std::size_t count, const double* lo, const double* hi,
+                       std::size_t half_taps, double* low, double* high, const double* next);
 
   /// signal(2q) = sum over t < half_taps of lo(2t+1) low(q+t) + hi(2t+1) high(q+t), signal(2q+1)
   /// the same with lo(2t) and hi(2t), for q < pairs. low and high hold pairs + half_taps - 1

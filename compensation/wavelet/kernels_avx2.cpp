@@ -15,6 +15,7 @@ struct FourLanes {
     asm("" : "+x"(value));  // else GCC loads it again for each of its two uses
     return value;
   }
+  static constexpr bool shifts = false;
   static void store_past_caches(double* to, Vector value) { _mm256_stream_pd(to, value); }
   static Vector multiply_add(double factor, Vector x, Vector sum) {
     return _mm256_fmadd_pd(_mm256_set1_pd(factor), x, sum);

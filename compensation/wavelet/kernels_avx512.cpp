@@ -15,6 +15,7 @@ struct EightLanes {
     asm("" : "+v"(value));  // else GCC loads it again for each of its two uses
     return value;
   }
+  static constexpr bool shifts = true;
   static void store_past_caches(double* to, Vector value) { _mm512_stream_pd(to, value); }
   static Vector multiply_add(double factor, Vector x, Vector sum) {
     return _mm512_fmadd_pd(_mm512_set1_pd(factor), x, sum);
