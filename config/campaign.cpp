@@ -10,7 +10,8 @@
 
 namespace gyrocal {
 
-Result<CampaignConfig> parse_campaign(const std::string& text, const std::string& path) {
+Result<CampaignConfig> parse_campaign(const std::string& text, const std::string& path,
+                                      const std::optional<ChamberProfile>& profile) {
   auto file = TomlFile::parse(text, path);
   if (!file) return tl::unexpected(file.error());
   auto root = file->root();
@@ -19,7 +20,7 @@ Result<CampaignConfig> parse_campaign(const std::string& text, const std::string
   CampaignSections sections(root);
   read_general(sections.general, path, campaign);
   read_plan(sections.plan, campaign.plan);
-  if (const auto bad_profile = read_chamber(sections.chamber, path, campaign.chamber)) {
+  if (const auto bad_profile = read_chamber(sections.chamber, path, profile, campaign.chamber)) {
     return tl::unexpected(*bad_profile);
   }
   read_boards(root, sections.boards, campaign.boards);

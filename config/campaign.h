@@ -108,8 +108,10 @@ struct CampaignConfig {
 [[nodiscard]] Result<CampaignConfig> read_campaign(const std::string& path);
 
 /// Same, from text; `path` only names it in messages and anchors relative paths.
-[[nodiscard]] Result<CampaignConfig> parse_campaign(const std::string& text,
-                                                    const std::string& path);
+/// @param profile  the chamber's, if it is at hand; else it is looked up.
+[[nodiscard]] Result<CampaignConfig> parse_campaign(
+    const std::string& text, const std::string& path,
+    const std::optional<ChamberProfile>& profile = std::nullopt);
 
 /// The file a profile's name stands for, "yinhe": in the campaign's folder first, so that a site
 /// can keep its own, then among the site's, the installed and the source tree's. A path stands for

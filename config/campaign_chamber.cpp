@@ -59,7 +59,28 @@ std::optional<std::string> find_chamber_profile(const std::string& profile,
   return std::nullopt;
 }
 
+namespace {
+
+/// The profile the table names. @return nothing if it names none that is known, which is noted.
+Result<std::optional<ChamberProfile>> named_profile(TomlSection& table, const std::string& path) {
+  const auto name = table.required_text("profile", "a chamber profile, \"yinhe\"");
+  const fs::path folder = fs::path(path).parent_path();
+  const auto file = find_chamber_profile(name, folder.string());
+  if (name.empty()) return std::nullopt;
+  if (!file) {
+    table.expected("profile", Errc::unknown_name,
+                   fmt::format("the name of a profile in {}, {}, {} or {}",
+                               folder.empty() ? "." : folder.string(), places::site_chambers,
+                               places::installed_chambers, places::source_chambers));
+    return std::nullopt;
+  }
+  return read_chamber_profile(*file);
+}
+
+}  // namespace
+
 std::optional<Error> read_chamber(TomlSection& table, const std::string& path,
+                                  const std::optional<ChamberProfile>& profile,
                                   ChamberConfig& into) {
   const bool tcp = table.has("host");
   const bool rtu = table.has("device");
@@ -74,20 +95,15 @@ std::optional<Error> read_chamber(TomlSection& table, const std::string& path,
   into.poll_interval_s = table.number("poll_interval_s", into.poll_interval_s, {0.1, 600, "s"});
   const int unit = static_cast<int>(table.integer("unit", -1, {0, 247}));
 
-  const auto profile = table.required_text("profile", "a chamber profile, \"yinhe\"");
-  const fs::path folder = fs::path(path).parent_path();
-  const auto file = find_chamber_profile(profile, folder.string());
-  if (profile.empty()) return std::nullopt;
-  if (!file) {
-    table.expected("profile", Errc::unknown_name,
-                   fmt::format("the name of a profile in {}, {}, {} or {}",
-                               folder.empty() ? "." : folder.string(), places::site_chambers,
-                               places::installed_chambers, places::source_chambers));
-    return std::nullopt;
+  Result<std::optional<ChamberProfile>> found = profile;
+  if (profile) {
+    static_cast<void>(table.text("profile", ""));  // known, though not looked up
+  } else {
+    found = named_profile(table, path);
   }
-  auto read = read_chamber_profile(*file);
-  if (!read) return read.error();
-  into.profile = std::move(*read);
+  if (!found) return found.error();
+  if (!*found) return std::nullopt;
+  into.profile = std::move(**found);
   into.unit = unit >= 0 ? unit : into.profile.unit_default;
   return std::nullopt;
 }

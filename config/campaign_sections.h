@@ -25,8 +25,10 @@ struct CampaignSections {
 
 void read_general(TomlSection& table, const std::string& path, CampaignConfig& into);
 void read_plan(TomlSection& table, PlanConfig& into);  ///< setpoints as listed
+/// @param profile  used instead of the one the table names, if given.
 /// @return the problem of the chamber profile's own file, if it has one.
 [[nodiscard]] std::optional<Error> read_chamber(TomlSection& table, const std::string& path,
+                                                const std::optional<ChamberProfile>& profile,
                                                 ChamberConfig& into);
 void read_boards(TomlSection& root, std::vector<TomlSection>& tables,
                  std::vector<BoardConfig>& into);

@@ -87,6 +87,7 @@ Result<ChamberProfile> parse_chamber_profile(const std::string& text, const std:
   if (!file) return tl::unexpected(file.error());
   auto root = file->root();
   ChamberProfile profile;
+  profile.text = text;
   profile.name = root.required_text("name", "what reports call this chamber");
   profile.description = root.text("description", "");
   profile.unit_default = static_cast<int>(root.integer("unit", 1, {0, 247}));

@@ -46,6 +46,7 @@ struct ChamberProfile {
   Celsius limit_max{90};
   double settle_after_write_s = 0.2;  ///< quiet time the controller needs after a write
   Kelvin read_back_tolerance{0.05};
+  std::string text;  ///< the file as read: provenance
 };
 
 /// Reads a profile, config/chambers/NAME.toml.
