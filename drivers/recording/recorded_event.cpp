@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint8_t kind_mask = 0x07;
 constexpr std::uint8_t error_bit = 0x08;
-constexpr auto kind_last = static_cast<std::uint8_t>(RecordedEvent::Kind::transacted);
+constexpr auto kind_last = static_cast<std::uint8_t>(RecordedEvent::Kind::input);
 constexpr auto errc_last = static_cast<std::uint64_t>(Errc::storage);
 
 void put_number(Bytes& into, std::uint64_t value) {

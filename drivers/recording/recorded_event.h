@@ -20,6 +20,7 @@ struct RecordedEvent {
     written,     ///< a byte link took `sent`
     reopened,    ///< a byte link was opened
     transacted,  ///< a request link got `sent` and gave `received`
+    input,       ///< asked for `sent` (a word: "stop"), the program was told `received`
   };
   Kind kind = Kind::woke;
   std::uint32_t stream = 0;  ///< which link; 0: the clock

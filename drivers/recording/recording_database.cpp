@@ -18,7 +18,8 @@ CREATE TABLE run (                   -- one run of the daemon; a resumed campaig
   id               INTEGER PRIMARY KEY,
   started_utc_ns   INTEGER NOT NULL, -- since 1970
   software_version TEXT NOT NULL,
-  campaign_text    TEXT NOT NULL     -- the campaign file as read
+  campaign_text    TEXT NOT NULL,    -- the campaign file as read
+  circumstances    TEXT NOT NULL     -- what else the daemon began with; daemon/runner/run_recording.h
 ) STRICT;
 CREATE TABLE stream (                -- the links of a run; stream 0 is its clock
   run_id INTEGER NOT NULL REFERENCES run(id),
@@ -146,11 +147,17 @@ Result<void> RecordingDatabase::check_is_recording() {
   const auto version = pragma("user_version");
   if (!id) return tl::unexpected(id.error());
   if (!version) return tl::unexpected(version.error());
-  if (*id == application_id && *version == format_version) return {};
+  if (*id == application_id && *version >= 1 && *version <= format_version) return {};
+  if (*id == application_id && *version > format_version) {
+    return fail(Errc::mismatch,
+                fmt::format("{}: written by a newer gyrocal, in format {}; this one reads up to {}",
+                            path_, *version, format_version),
+                "use a gyrocal at least as new as the one that recorded it");
+  }
   return fail(Errc::mismatch,
-              fmt::format("{} is no recording of version {} (application id {:#x}, version {})",
-                          path_, format_version, *id, *version),
-              "recordings are called NAME.recording.db; is gyrocal older than the file?");
+              fmt::format("{}: not a recording (application id {:#x}, version {}; expected {:#x})",
+                          path_, *id, *version, application_id),
+              "recordings stand beside their database and are called NAME.recording.db");
 }
 
 Result<std::int64_t> RecordingDatabase::pragma(const char* name) {
@@ -170,9 +177,13 @@ Result<void> RecordingDatabase::execute(const char* sql) {
 Result<std::int64_t> RecordingDatabase::add_run(const RecordedRun& run) {
   if (const auto begun = execute("BEGIN IMMEDIATE"); !begun) return tl::unexpected(begun.error());
   Query insert(*this,
-               "INSERT INTO run (started_utc_ns, software_version, campaign_text) VALUES (?,?,?)");
-  auto done =
-      insert.bind(run.started_utc_ns).bind(run.software_version).bind(run.campaign_text).run();
+               "INSERT INTO run (started_utc_ns, software_version, campaign_text, circumstances) "
+               "VALUES (?,?,?,?)");
+  auto done = insert.bind(run.started_utc_ns)
+                  .bind(run.software_version)
+                  .bind(run.campaign_text)
+                  .bind(run.circumstances)
+                  .run();
   const std::int64_t id = sqlite3_last_insert_rowid(handle_.get());
   for (std::size_t i = 0; done && i < run.streams.size(); ++i) {
     Query stream(*this, "INSERT INTO stream (run_id, number, name) VALUES (?,?,?)");
@@ -206,15 +217,21 @@ Result<void> RecordingDatabase::replace_tail(std::int64_t run, const RecordedPie
   return done ? ended : done;
 }
 
+void RecordingDatabase::close_tidily() {
+  static_cast<void>(execute("PRAGMA journal_mode = DELETE"));  // best effort: nothing is lost
+}
+
 Result<std::vector<RecordedRun>> RecordingDatabase::runs() {
   std::vector<RecordedRun> runs;
   Query query(*this,
-              "SELECT id, started_utc_ns, software_version, campaign_text FROM run ORDER BY id");
+              "SELECT id, started_utc_ns, software_version, campaign_text, circumstances "
+              "FROM run ORDER BY id");
   for (;;) {
     const auto row = query.next();
     if (!row) return tl::unexpected(row.error());
     if (!*row) return runs;
-    runs.push_back({query.integer(0), query.integer(1), query.text(2), query.text(3), {}});
+    runs.push_back(
+        {query.integer(0), query.integer(1), query.text(2), query.text(3), query.text(4), {}});
     Query streams(*this, "SELECT name FROM stream WHERE run_id = ? ORDER BY number");
     streams.bind(runs.back().id);
     for (;;) {

@@ -20,6 +20,7 @@ struct RecordedRun {
   std::int64_t started_utc_ns = 0;
   std::string software_version;
   std::string campaign_text;         ///< the campaign file as read
+  std::string circumstances;         ///< what else the program began with, in its own words
   std::vector<std::string> streams;  ///< names of the links; number n is stream n + 1
   bool operator==(const RecordedRun&) const = default;
 };
@@ -46,6 +47,10 @@ class RecordingDatabase {
   [[nodiscard]] Result<void> add_piece(std::int64_t run, const RecordedPiece& piece);
   /// Puts `piece` in the place of all pieces of the run from its `seq` on, in one transaction.
   [[nodiscard]] Result<void> replace_tail(std::int64_t run, const RecordedPiece& piece);
+
+  /// Leaves one file, without -wal beside it, that can be read where nobody can write. If somebody
+  /// reads just now, the log stays, as after a crash.
+  void close_tidily();
 
   [[nodiscard]] Result<std::vector<RecordedRun>> runs();
   /// The first piece of the run with a seq of at least `from`; nothing after the last.

@@ -35,7 +35,10 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::open(const std::string
       new RecordingWriter(std::move(*database), *id, flush_every));
 }
 
-RecordingWriter::~RecordingWriter() { flush(); }
+RecordingWriter::~RecordingWriter() {
+  if (!trouble_ && !events_.empty()) merge();
+  if (!trouble_) database_.close_tidily();
+}
 
 void RecordingWriter::append(RecordedEvent event) {
   if (trouble_) return;
@@ -87,6 +90,11 @@ Result<std::optional<RecordedEvent>> RecordingReader::next() {
     const auto piece = database_.piece(run_, next_seq_);
     if (!piece) return tl::unexpected(piece.error());
     if (!*piece) return std::optional<RecordedEvent>{};
+    if ((*piece)->seq != next_seq_) {
+      return fail(Errc::bad_frame,
+                  fmt::format("piece {} of run {} of the recording is missing", next_seq_, run_),
+                  "the file is damaged");
+    }
     const auto unpacked = decompressed((*piece)->data, piece_bytes_max);
     if (!unpacked) return tl::unexpected(unpacked.error());
     auto events = decode_events(*unpacked);

@@ -23,7 +23,7 @@ class RecordingWriter {
                                                                      Duration flush_every);
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
-  ~RecordingWriter();  ///< flushes
+  ~RecordingWriter();  ///< packs and writes the rest
 
   void append(RecordedEvent event);
   void flush();

@@ -30,6 +30,15 @@ void Recorder::record_at_once(RecordedEvent event) {
   ++events_;
 }
 
+void Recorder::input(std::string_view what, std::string_view answer) {
+  RecordedEvent event;
+  event.kind = RecordedEvent::Kind::input;
+  event.begin = now_;
+  event.sent.assign(what.begin(), what.end());
+  event.received.assign(answer.begin(), answer.end());
+  record_at_once(std::move(event));
+}
+
 void RecordingClock::sleep_until(Instant when) {
   recorder_.clock_below().sleep_until(when);
   RecordedEvent event;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "drivers/clock.h"
 #include "drivers/link.h"
@@ -34,6 +35,9 @@ class Recorder {
   void record(RecordedEvent event);
   /// Records `event` without time passing.
   void record_at_once(RecordedEvent event);
+  /// Records that the program, asking for `what`, was told `answer`: a signal, an operator's
+  /// command, the room on the disk. Time does not pass.
+  void input(std::string_view what, std::string_view answer);
   [[nodiscard]] std::uint64_t events() const { return events_; }  ///< recorded so far
 
  private:

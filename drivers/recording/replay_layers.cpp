@@ -57,6 +57,23 @@ Result<RecordedEvent> Tape::answer(const RecordedEvent& call) {
               fmt::format("recorded: {}; now: {}", diverged_->recorded, diverged_->replayed));
 }
 
+std::optional<std::string> Tape::input_if(std::string_view what) {
+  const RecordedEvent* const next = next_if(Kind::input, 0);
+  if (next == nullptr ||
+      !std::equal(what.begin(), what.end(), next->sent.begin(), next->sent.end()))
+    return std::nullopt;
+  return *input(what);
+}
+
+Result<std::string> Tape::input(std::string_view what) {
+  RecordedEvent asked;
+  asked.kind = Kind::input;
+  asked.sent.assign(what.begin(), what.end());
+  const auto told = answer(asked);
+  if (!told) return tl::unexpected(told.error());
+  return std::string(told->received.begin(), told->received.end());
+}
+
 const RecordedEvent* Tape::next_if(Kind kind, std::uint32_t stream) const {
   const bool fits = !diverged_ && next_ && next_->kind == kind && next_->stream == stream;
   return fits ? &*next_ : nullptr;
@@ -79,7 +96,7 @@ std::string Tape::describe(const RecordedEvent& event) const {
                                : fmt::format("link {}", event.stream);
   switch (event.kind) {
     case Kind::woke:
-      return fmt::format("sleep until {} s", to_seconds(event.begin.time_since_epoch()));
+      return fmt::format("sleep until {:.3f} s", to_seconds(event.begin - origin_));
     case Kind::told_utc:
       return "ask for UTC";
     case Kind::read:
@@ -90,6 +107,8 @@ std::string Tape::describe(const RecordedEvent& event) const {
       return fmt::format("open {}", link);
     case Kind::transacted:
       return fmt::format("ask {} {:02x}", link, fmt::join(event.sent, " "));
+    case Kind::input:
+      return fmt::format("be told: {}", std::string(event.sent.begin(), event.sent.end()));
   }
   return "something unknown";
 }

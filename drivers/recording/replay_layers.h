@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "drivers/clock.h"
@@ -31,10 +32,14 @@ class Tape {
   Tape(RecordingReader reader, RecordedRun run);
 
   [[nodiscard]] Instant now() const { return now_; }
+  /// Times in descriptions count from here; else from the clock's own zero.
+  void count_from(Instant origin) { origin_ = origin; }
   void pass_to(Instant when) { now_ = std::max(now_, when); }
   [[nodiscard]] const std::optional<Divergence>& diverged() const { return diverged_; }
   /// There is no more: the recording was cut off here, or the program does more than it did.
   [[nodiscard]] bool ended() const { return !next_; }
+  /// Nothing of the recorded run is left that a program could still repeat.
+  [[nodiscard]] bool over() const { return ended() || diverged().has_value(); }
   /// Why the file could not be read to its end.
   [[nodiscard]] const std::optional<Error>& trouble() const { return trouble_; }
 
@@ -42,6 +47,10 @@ class Tape {
   /// same.
   /// @return link_lost after the end, mismatch after a divergence.
   [[nodiscard]] Result<RecordedEvent> answer(const RecordedEvent& call);
+  /// What the program was told when it asked for `what` here, if it was.
+  [[nodiscard]] std::optional<std::string> input_if(std::string_view what);
+  /// Same, where it asked in the recorded run for certain.
+  [[nodiscard]] Result<std::string> input(std::string_view what);
   /// The next event, if it is one of this kind and link.
   [[nodiscard]] const RecordedEvent* next_if(RecordedEvent::Kind kind, std::uint32_t stream) const;
 
@@ -53,6 +62,7 @@ class Tape {
   RecordedRun run_;
   std::optional<RecordedEvent> next_;
   Instant now_{};
+  Instant origin_{};
   std::optional<Divergence> diverged_;
   std::optional<Error> trouble_;
 };

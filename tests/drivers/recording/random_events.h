@@ -15,7 +15,7 @@ inline RecordedEvent random_event(std::mt19937& random) {
     return some;
   };
   RecordedEvent event;
-  event.kind = static_cast<RecordedEvent::Kind>(below(6));
+  event.kind = static_cast<RecordedEvent::Kind>(below(7));
   event.stream = below(4);
   event.begin = Instant{Duration{static_cast<std::int64_t>(random()) * 1'000'003}};
   event.end = event.begin + Duration{static_cast<std::int64_t>(random()) - 1'000'000};

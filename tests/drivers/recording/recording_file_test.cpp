@@ -17,7 +17,7 @@ using gyrocal::test::TemporaryDirectory;
 namespace {
 
 RecordedRun a_run() {
-  return {1, 1'767'225'600'000'000'000, "0.1.0", "[campaign]\n", {"chamber", "board left"}};
+  return {1, 1'767'225'600'000'000'000, "0.1.0", "[campaign]\n", "{}", {"chamber", "board left"}};
 }
 
 /// Events a tenth of a second apart.

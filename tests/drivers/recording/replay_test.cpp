@@ -82,7 +82,7 @@ Seen record(const std::string& path) {
   RestlessClock clock(virtual_clock);
   InProcessBoardLink board(rig.board(0), virtual_clock);
   InProcessChamberLink chamber(rig.chamber(), virtual_clock, seconds(1));
-  const RecordedRun description{1, 0, "0.1.0", "", {"chamber", "board left"}};
+  const RecordedRun description{1, 0, "0.1.0", "", "", {"chamber", "board left"}};
   const auto writer = RecordingWriter::open(path, description, seconds(30));
   REQUIRE(writer);
   Recorder recorder(clock, **writer);
