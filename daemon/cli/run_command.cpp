@@ -19,6 +19,7 @@ struct Options {
   std::string database;
   bool resume = false;
   bool in_virtual_time = false;
+  std::optional<bool> record;
   std::uint64_t seed = 1;
 };
 
@@ -46,6 +47,7 @@ int run(const Options& options) {
   if (!options.database.empty()) request.database = options.database;
   request.resume = options.resume;
   if (options.in_virtual_time) request.virtual_seed = options.seed;
+  request.record = options.record;
   request.software_version = GYROCAL_VERSION;
 
   const runner::StopSignals signals;
@@ -84,6 +86,9 @@ void add_run(CLI::App& root, Chosen& chosen) {
   command->add_option("--seed", options->seed, "of the simulated noise")
       ->needs(in_virtual_time)
       ->capture_default_str();
+  command->add_flag("--record,!--no-record", options->record,
+                    "every byte of every link into NAME.recording.db beside the database, for\n"
+                    "gyrocal replay; default: on real endpoints, not with --virtual");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

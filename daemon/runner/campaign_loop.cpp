@@ -8,7 +8,6 @@
 #include "compensation/values/assert.h"
 #include "daemon/campaign/overloaded.h"
 #include "daemon/runner/analysis.h"
-#include "daemon/runner/disk_room.h"
 
 namespace gyrocal::runner {
 namespace {
@@ -37,7 +36,8 @@ CampaignLoop::CampaignLoop(const CampaignConfig& config, const campaign::Plan& p
       options_(options),
       hooks_(hooks),
       begin_(std::move(begin)),
-      journal_(store, begin_.campaign, devices.clock, hooks.log, options.monitor_rows_per_write),
+      journal_(store, begin_.campaign, devices.clock, hooks.log, hooks.may_store,
+               options.monitor_rows_per_write),
       chamber_(devices.chamber, plan, found.chamber, begin_.t),
       track_(std::max(unknown_after(plan, options.tick), air_is_straight_over)),
       conditions_(plan, unknown_after(plan, options.tick)),
@@ -169,9 +169,15 @@ Result<void> CampaignLoop::note_doubt() {
 
 Result<void> CampaignLoop::watch_machine() {
   const Duration t = now();
+  if (const auto trouble = hooks_.trouble ? hooks_.trouble() : std::nullopt) {
+    auto told = journal_.event(t, "warning", "not_recorded",
+                               "the campaign goes on without a recording: " + to_text(*trouble));
+    if (!told) return told;
+  }
   if (t < next_machine_look_) return {};
   next_machine_look_ = t + seconds(machine_look_every_utc_s * options_.utc_rate);
-  const auto free = disk_room(options_.database).value_or(UINTMAX_MAX);
+  const auto known = hooks_.bytes_free ? hooks_.bytes_free() : std::nullopt;
+  const auto free = known.value_or(UINTMAX_MAX);
   for (const auto& notice : machine_.look(t, devices_.clock.utc_ns(), free)) {
     if (auto done = journal_.event(t, notice.severity, notice.kind, notice.text); !done)
       return done;

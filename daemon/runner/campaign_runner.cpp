@@ -38,6 +38,7 @@ Result<Outcome> run_campaign(const CampaignConfig& config, Devices devices, Stor
   auto begin = *open ? begin_again(config, *found, devices.clock, **open)
                      : begin_new(config, *found, devices.clock, store, options.software_version);
   if (!begin) return tl::unexpected(begin.error());
+  if (hooks.begun) hooks.begun(begin->campaign, begin->t);
   return CampaignLoop(config, *plan, devices, *found, store, options, hooks, *begin).run();
 }
 

@@ -34,6 +34,10 @@ struct RunHooks {
   std::function<std::optional<campaign::Event>()> next_command;  ///< an operator's
   std::function<void(const Snapshot&)> progress;                 ///< every turn of the loop
   LogLine log;
+  std::function<std::optional<std::uintmax_t>()> bytes_free;  ///< on the database's disk
+  std::function<std::optional<Error>()> trouble;  ///< of its recording: told once, changes nothing
+  std::function<void(CampaignId, Duration t)> begun;  ///< preflight has passed; it goes on from t
+  MayStore may_store;  ///< its error ends the run, as a full disk does
 };
 
 struct RunOptions {
@@ -42,9 +46,8 @@ struct RunOptions {
   Duration patience{};     ///< for a board's first frame
   Duration stop_within{};  ///< to get the safe setpoint confirmed after stop_asked
   std::size_t monitor_rows_per_write = 24;
-  double utc_rate = 1;   ///< seconds of campaign time in one of UTC
-  std::string database;  ///< its folder is watched for room
-  bool resume = false;   ///< go on with the database's campaign if it has not ended
+  double utc_rate = 1;  ///< seconds of campaign time in one of UTC
+  bool resume = false;  ///< go on with the database's campaign if it has not ended
 };
 
 struct Outcome {

@@ -15,6 +15,8 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "daemon/runner/run_recording.h"
+
 namespace gyrocal::runner {
 namespace {
 
@@ -40,14 +42,6 @@ const sockaddr* raw(const sockaddr_un& address) {
 }
 
 std::string reason() { return std::generic_category().message(errno); }
-
-std::optional<campaign::Event> command_named(const std::string& line) {
-  if (line == "pause") return campaign::PauseAsked{};
-  if (line == "resume") return campaign::ResumeAsked{};
-  if (line == "skip") return campaign::SkipAsked{};
-  if (line == "abort") return campaign::AbortAsked{};
-  return std::nullopt;
-}
 
 void answer(const UniqueFd& socket, const std::string& text) {
   const std::string line = text + "\n";  // fits any socket's buffer; a client that has gone is gone

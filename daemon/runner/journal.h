@@ -12,11 +12,14 @@ namespace gyrocal::runner {
 /// Shows a person what is written into the database as an event.
 using LogLine = std::function<void(const EventInsert& event)>;
 
+/// Asked before each write: an error keeps it from being done and is what the write returns.
+using MayStore = std::function<Result<void>()>;
+
 /// A campaign's writes: events at once, the slow stream in batches. Errors are the store's.
 class Journal {
  public:
   /// @param rows_per_write  of the slow stream: what a crash may cost against what a commit does.
-  Journal(Store& store, CampaignId campaign, const Clock& clock, LogLine log,
+  Journal(Store& store, CampaignId campaign, const Clock& clock, LogLine log, MayStore may_store,
           std::size_t rows_per_write);
 
   [[nodiscard]] Result<void> event(Duration t, const std::string& severity, const std::string& kind,
@@ -29,10 +32,13 @@ class Journal {
   [[nodiscard]] Result<std::vector<DwellId>> group(std::span<const DwellWithSamples> dwells);
 
  private:
+  [[nodiscard]] Result<void> may_store() const;
+
   Store& store_;
   CampaignId campaign_;
   const Clock& clock_;
   LogLine log_;
+  MayStore may_store_;
   std::size_t rows_per_write_;
   std::vector<MonitorInsert> pending_;
 };

@@ -4,7 +4,11 @@
 
 #include "daemon/runner/control_socket.h"
 #include "daemon/runner/device_lock.h"
+#include "daemon/runner/disk_room.h"
+#include "daemon/runner/link_layers.h"
 #include "daemon/runner/owned_devices.h"
+#include "daemon/runner/run_recording.h"
+#include "drivers/clocks.h"
 
 namespace gyrocal::runner {
 namespace {
@@ -36,6 +40,11 @@ RunOptions virtual_options(const CampaignConfig& config) {
 
 namespace {
 
+/// A crash costs the recording a second of the machine's time; in virtual time nothing is at stake.
+Duration flush_every(const CampaignConfig& config, bool in_virtual_time) {
+  return in_virtual_time ? Duration::max() : seconds(config.time_scale);
+}
+
 /// How the database's campaign ended, if nobody is there to begin another or to re-arm this one.
 Result<std::optional<Outcome>> left_alone(const Store& store, const RunRequest& request) {
   if (!request.unattended) return std::nullopt;
@@ -53,9 +62,38 @@ Result<std::optional<Outcome>> left_alone(const Store& store, const RunRequest& 
   return std::nullopt;
 }
 
+Result<Outcome> run_recorded(const CampaignConfig& config, OwnedDevices& owned, Store& store,
+                             const RunOptions& options, const RunHooks& hooks) {
+  Recorder* const recorder = owned.recorder();
+  if (recorder == nullptr) return run_campaign(config, owned.devices(), store, options, hooks);
+  auto outcome =
+      run_campaign(config, owned.devices(), store, options, recorded_hooks(hooks, *recorder));
+  recorder->input(input::ended, ended_text(outcome));
+  return outcome;
+}
+
+/// What this run begins with, for its recording.
+Result<RecordedRun> recorded_run(const CampaignConfig& config, const Store& store,
+                                 const RunOptions& options, bool in_virtual_time) {
+  Circumstances circumstances{options, in_virtual_time, config.chamber.profile.text, {}};
+  auto open = options.resume ? store.open_campaign() : std::nullopt;
+  if (!open) return tl::unexpected(open.error());
+  if (*open) {
+    circumstances.resumed = {static_cast<std::int64_t>((*open)->id), (*open)->campaign.state,
+                             (*open)->t_last_ns};
+  }
+  RecordedRun run;
+  run.started_utc_ns = ScaledClock().utc_ns();
+  run.software_version = options.software_version;
+  run.campaign_text = config.text;
+  run.circumstances = to_json(circumstances);
+  run.streams = link_names(config);
+  return run;
+}
+
 /// Devices, with what only real ones need: a lock on the chamber and an ear for operators.
 Result<Outcome> run_wired(const CampaignConfig& config, Store& store, const RunOptions& options,
-                          RunHooks hooks) {
+                          RunHooks hooks, RunRecording* recording) {
   auto lock = lock_chamber(config.chamber);
   if (!lock) return tl::unexpected(lock.error());
   auto control = ControlSocket::open(control_path(config.name));
@@ -65,8 +103,8 @@ Result<Outcome> run_wired(const CampaignConfig& config, Store& store, const RunO
     control->serve(now);
     if (show) show(now);
   };
-  const auto owned = wired_devices(config);
-  return run_campaign(config, owned->devices(), store, options, hooks);
+  const auto owned = wired_devices(config, recording ? recording->writer() : nullptr);
+  return run_recorded(config, *owned, store, options, hooks);
 }
 
 }  // namespace
@@ -90,12 +128,23 @@ Result<Outcome> run_requested(
 
   RunOptions options = request.virtual_seed ? virtual_options(*config) : wired_options(*config);
   options.software_version = request.software_version;
-  options.database = path;
   options.resume = request.resume;
+  RunHooks watched = hooks;
+  watched.bytes_free = [&path] { return disk_room(path); };
+  const bool in_virtual_time = request.virtual_seed.has_value();
+  std::optional<RunRecording> recording;
+  if (request.record.value_or(!in_virtual_time)) {
+    auto run = recorded_run(*config, *store, options, in_virtual_time);
+    if (!run) return tl::unexpected(run.error());
+    recording.emplace(path, *run, flush_every(*config, in_virtual_time));
+    watched.trouble = [&recording] { return recording->trouble(); };
+  }
   auto outcome = [&] {
-    if (!request.virtual_seed) return run_wired(*config, *store, options, hooks);
-    const auto owned = virtual_devices(*config, rig::RigModel{}, *request.virtual_seed);
-    return run_campaign(*config, owned->devices(), *store, options, hooks);
+    RunRecording* const into = recording ? &*recording : nullptr;
+    if (!in_virtual_time) return run_wired(*config, *store, options, watched, into);
+    const auto owned = virtual_devices(*config, rig::RigModel{}, *request.virtual_seed,
+                                       into ? into->writer() : nullptr);
+    return run_recorded(*config, *owned, *store, options, watched);
   }();
   const bool has_models = outcome && std::holds_alternative<campaign::Finished>(outcome->state);
   if (has_models) report(*store, outcome->campaign, path);

@@ -15,6 +15,7 @@ struct RunRequest {
   bool resume = false;                  ///< go on with what the database holds
   bool unattended = false;  ///< leave a campaign alone that has ended, or tripped: no person asks
   std::optional<std::uint64_t> virtual_seed;  ///< the simulated rig in process, in virtual time
+  std::optional<bool> record;  ///< into NAME.recording.db; default: on real endpoints
   std::string software_version;
 };
 

@@ -1,5 +1,6 @@
 #include <deque>
 
+#include "daemon/runner/link_layers.h"
 #include "daemon/runner/owned_devices.h"
 #include "drivers/board/inemo_board.h"
 #include "drivers/board/serial_link.h"
@@ -12,25 +13,29 @@ namespace {
 
 class WiredDevices final : public OwnedDevices {
  public:
-  explicit WiredDevices(const CampaignConfig& config)
+  WiredDevices(const CampaignConfig& config, RecordingWriter* writer)
       : clock_(config.time_scale),
+        layers_(clock_, writer),
         chamber_link_(config.chamber.address, seconds(config.chamber.reply_timeout_s), clock_),
-        chamber_(chamber_link_, clock_, config.chamber.profile, config.chamber.unit) {
+        chamber_(layers_.over(chamber_link_), layers_.clock(), config.chamber.profile,
+                 config.chamber.unit) {
     const BoardTiming timing = BoardTiming::for_time_scale(config.time_scale);
     for (const auto& board : config.boards) {
       board_links_.emplace_back(board.device);
-      boards_.emplace_back(board_links_.back(), clock_, board.name, timing);
+      boards_.emplace_back(layers_.over(board_links_.back()), layers_.clock(), board.name, timing);
     }
   }
 
   Devices devices() override {
     std::vector<Board*> boards;
     for (auto& board : boards_) boards.push_back(&board);
-    return {clock_, chamber_, std::move(boards)};
+    return {layers_.clock(), chamber_, std::move(boards)};
   }
+  Recorder* recorder() override { return layers_.recorder(); }
 
  private:
   ScaledClock clock_;
+  LinkLayers layers_;
   ModbusLink chamber_link_;
   ModbusChamber chamber_;
   std::deque<SerialLink> board_links_;  // drivers hold references: no reallocation
@@ -39,8 +44,8 @@ class WiredDevices final : public OwnedDevices {
 
 }  // namespace
 
-std::unique_ptr<OwnedDevices> wired_devices(const CampaignConfig& config) {
-  return std::make_unique<WiredDevices>(config);
+std::unique_ptr<OwnedDevices> wired_devices(const CampaignConfig& config, RecordingWriter* writer) {
+  return std::make_unique<WiredDevices>(config, writer);
 }
 
 }  // namespace gyrocal::runner
