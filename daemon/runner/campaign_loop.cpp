@@ -36,7 +36,7 @@ CampaignLoop::CampaignLoop(const CampaignConfig& config, const campaign::Plan& p
       options_(options),
       hooks_(hooks),
       begin_(std::move(begin)),
-      journal_(store, begin_.campaign, devices.clock, hooks.log, hooks.may_store,
+      journal_(store, begin_.campaign, devices.clock, hooks.log, hooks.storing,
                options.monitor_rows_per_write),
       chamber_(devices.chamber, plan, found.chamber, begin_.t),
       track_(std::max(unknown_after(plan, options.tick), air_is_straight_over)),
@@ -334,9 +334,12 @@ Result<void> CampaignLoop::store_dwell(const std::optional<std::string>& reject_
 
 Result<void> CampaignLoop::analyse() {
   if (auto flushed = journal_.flush(); !flushed) return flushed;
+  if (auto may = journal_.may_store(); !may) return may;
   auto done = analyse_campaign(store_, begin_.campaign, config_, options_.software_version);
   if (done) return feed(campaign::Analysed{true});
-  if (done.error().code == Errc::storage || done.error().code == Errc::busy) return done;
+  if (done.error().code == Errc::storage || done.error().code == Errc::busy) {
+    return journal_.noted(std::move(done));
+  }
   if (auto said = journal_.event(now(), "error", "no_model", to_text(done.error())); !said) {
     return said;
   }

@@ -37,7 +37,7 @@ struct RunHooks {
   std::function<std::optional<std::uintmax_t>()> bytes_free;  ///< on the database's disk
   std::function<std::optional<Error>()> trouble;  ///< of its recording: told once, changes nothing
   std::function<void(CampaignId, Duration t)> begun;  ///< preflight has passed; it goes on from t
-  MayStore may_store;  ///< its error ends the run, as a full disk does
+  StoreWatch storing;  ///< an error of may_store ends the run, as a full disk does
 };
 
 struct RunOptions {

@@ -5,27 +5,30 @@
 namespace gyrocal::runner {
 
 Journal::Journal(Store& store, CampaignId campaign, const Clock& clock, LogLine log,
-                 MayStore may_store, std::size_t rows_per_write)
+                 StoreWatch watch, std::size_t rows_per_write)
     : store_(store),
       campaign_(campaign),
       clock_(clock),
       log_(std::move(log)),
-      may_store_(std::move(may_store)),
+      watch_(std::move(watch)),
       rows_per_write_(rows_per_write) {}
 
-Result<void> Journal::may_store() const { return may_store_ ? may_store_() : Result<void>{}; }
+Result<void> Journal::may_store() const {
+  return watch_.may_store ? watch_.may_store() : Result<void>{};
+}
 
 Result<void> Journal::event(Duration t, const std::string& severity, const std::string& kind,
                             const std::string& text) {
   const EventInsert row{t.count(), clock_.utc_ns(), severity, kind, text};
   if (log_) log_(row);
   if (auto may = may_store(); !may) return may;
-  return store_.add_event(campaign_, row);
+  return noted(store_.add_event(campaign_, row));
 }
 
 Result<void> Journal::transition(Duration t, const std::string& state, const std::string& text) {
   if (auto stored = event(t, "info", "transition", text); !stored) return stored;
-  return store_.set_campaign_state(campaign_, state);
+  if (auto may = may_store(); !may) return may;
+  return noted(store_.set_campaign_state(campaign_, state));
 }
 
 Result<void> Journal::monitor(const MonitorInsert& row) {
@@ -36,14 +39,14 @@ Result<void> Journal::monitor(const MonitorInsert& row) {
 Result<void> Journal::flush() {
   if (pending_.empty()) return {};
   if (auto may = may_store(); !may) return may;
-  auto stored = store_.add_monitor(campaign_, pending_);
+  auto stored = noted(store_.add_monitor(campaign_, pending_));
   if (stored) pending_.clear();
   return stored;
 }
 
 Result<std::vector<DwellId>> Journal::group(std::span<const DwellWithSamples> dwells) {
   if (auto may = may_store(); !may) return tl::unexpected(may.error());
-  return store_.add_group(campaign_, dwells);
+  return noted(store_.add_group(campaign_, dwells));
 }
 
 }  // namespace gyrocal::runner

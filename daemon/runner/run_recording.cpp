@@ -131,6 +131,10 @@ RunHooks recorded_hooks(RunHooks hooks, Recorder& recorder) {
                    fmt::format("{} {}", static_cast<std::int64_t>(campaign), t.count()));
     if (told) told(campaign, t);
   };
+  recorded.storing.not_stored = [told = hooks.storing.not_stored, &recorder](const Error& error) {
+    recorder.input(input::not_stored, to_text(error));
+    if (told) told(error);
+  };
   return recorded;
 }
 

@@ -35,11 +35,13 @@ struct Circumstances {
 
 /// What the loop is told from outside clock and links, by the words it is recorded under.
 namespace input {
-inline constexpr char stop[] = "stop";              ///< SIGTERM, SIGINT, SIGHUP
-inline constexpr char command[] = "command";        ///< an operator's: "pause"
-inline constexpr char bytes_free[] = "bytes_free";  ///< on the database's disk; empty: unknown
-inline constexpr char begun[] = "begun";            ///< "CAMPAIGN T_NS", what the run begins at
-inline constexpr char ended[] = "ended";            ///< ended_text(); a killed run has none
+inline constexpr char stop[] = "be asked to stop";               ///< SIGTERM, SIGINT, SIGHUP
+inline constexpr char command[] = "take an operator's command";  ///< an operator's: "pause"
+inline constexpr char bytes_free[] =
+    "look for room on the disk";                       ///< on the database's disk; empty: unknown
+inline constexpr char begun[] = "begin the campaign";  ///< "CAMPAIGN T_NS", what the run begins at
+inline constexpr char ended[] = "end the run";         ///< ended_text(); a killed run has none
+inline constexpr char not_stored[] = "fail to store a row";  ///< to_text() of the error
 }  // namespace input
 
 /// "pause", and back. Only an operator's commands have a name.

@@ -36,11 +36,30 @@ CREATE TABLE piece (                 -- events in order; drivers/recording/recor
   data     BLOB NOT NULL,            -- zstd
   PRIMARY KEY (run_id, seq)
 ) STRICT;
+CREATE TABLE attachment (            -- what a capsule brings along
+  name TEXT PRIMARY KEY,
+  data BLOB NOT NULL                 -- zstd
+) STRICT, WITHOUT ROWID;
 PRAGMA application_id = 1736004195;
 PRAGMA user_version = 1;
 COMMIT;
 )sql";
 static_assert(application_id == 1736004195);
+
+const char* advice_for(int code) {
+  switch (code) {
+    case SQLITE_NOTADB:
+      return "recordings are made by `gyrocal run` and gyrocald and are called NAME.recording.db";
+    case SQLITE_CANTOPEN:
+      return "does it exist, and may you read it?";
+    case SQLITE_CORRUPT:
+      return "the file is damaged; a copy, if there is one, may not be";
+    case SQLITE_BUSY:
+      return "another program writes to it";
+    default:
+      return "is the disk full?";
+  }
+}
 
 }  // namespace
 
@@ -217,6 +236,21 @@ Result<void> RecordingDatabase::replace_tail(std::int64_t run, const RecordedPie
   return done ? ended : done;
 }
 
+Result<void> RecordingDatabase::attach(const std::string& name, const Bytes& data) {
+  return Query(*this, "INSERT INTO attachment (name, data) VALUES (?,?)")
+      .bind(name)
+      .bind(data)
+      .run();
+}
+
+Result<std::optional<Bytes>> RecordingDatabase::attachment(const std::string& name) {
+  Query query(*this, "SELECT data FROM attachment WHERE name = ?");
+  const auto row = query.bind(name).next();
+  if (!row) return tl::unexpected(row.error());
+  if (!*row) return std::optional<Bytes>{};
+  return query.bytes(0);
+}
+
 void RecordingDatabase::close_tidily() {
   static_cast<void>(execute("PRAGMA journal_mode = DELETE"));  // best effort: nothing is lost
 }
@@ -256,7 +290,7 @@ Result<std::optional<RecordedPiece>> RecordingDatabase::piece(std::int64_t run, 
 
 tl::unexpected<Error> RecordingDatabase::failed(const std::string& doing) const {
   return fail(Errc::storage, fmt::format("{}: {}: {}", path_, doing, sqlite3_errmsg(handle_.get())),
-              "is the disk full, or the file written to by another program?");
+              advice_for(sqlite3_errcode(handle_.get())));
 }
 
 }  // namespace gyrocal

@@ -48,6 +48,10 @@ class RecordingDatabase {
   /// Puts `piece` in the place of all pieces of the run from its `seq` on, in one transaction.
   [[nodiscard]] Result<void> replace_tail(std::int64_t run, const RecordedPiece& piece);
 
+  /// Puts something into the file that is not of the links, under a name.
+  [[nodiscard]] Result<void> attach(const std::string& name, const Bytes& data);
+  [[nodiscard]] Result<std::optional<Bytes>> attachment(const std::string& name);
+
   /// Leaves one file, without -wal beside it, that can be read where nobody can write. If somebody
   /// reads just now, the log stays, as after a crash.
   void close_tidily();

@@ -42,11 +42,18 @@ void Tape::advance() {
   next_ = next ? std::move(*next) : std::nullopt;
 }
 
+void Tape::count(const RecordedEvent& event) {
+  counts_.requests += event.kind == Kind::transacted ? 1 : 0;
+  counts_.writes += event.kind == Kind::written ? 1 : 0;
+  counts_.bytes_read += event.kind == Kind::read ? event.received.size() : 0;
+}
+
 Result<RecordedEvent> Tape::answer(const RecordedEvent& call) {
   if (!diverged_ && next_) {
     if (is_answered_by(call, *next_)) {
       RecordedEvent event = std::move(*next_);
       now_ = event.end;
+      count(event);
       advance();
       return event;
     }
@@ -98,7 +105,7 @@ std::string Tape::describe(const RecordedEvent& event) const {
     case Kind::woke:
       return fmt::format("sleep until {:.3f} s", to_seconds(event.begin - origin_));
     case Kind::told_utc:
-      return "ask for UTC";
+      return asking_utc;
     case Kind::read:
       return fmt::format("read from {}", link);
     case Kind::written:
@@ -108,7 +115,7 @@ std::string Tape::describe(const RecordedEvent& event) const {
     case Kind::transacted:
       return fmt::format("ask {} {:02x}", link, fmt::join(event.sent, " "));
     case Kind::input:
-      return fmt::format("be told: {}", std::string(event.sent.begin(), event.sent.end()));
+      return std::string(event.sent.begin(), event.sent.end());
   }
   return "something unknown";
 }

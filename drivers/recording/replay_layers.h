@@ -22,6 +22,14 @@ struct Divergence {
   bool operator==(const Divergence&) const = default;
 };
 
+/// How much of a recorded run has been repeated.
+struct TapeCounts {
+  std::uint64_t requests = 0;  ///< to request links, as recorded to the byte
+  std::uint64_t writes = 0;    ///< to byte links
+  std::uint64_t bytes_read = 0;
+  bool operator==(const TapeCounts&) const = default;
+};
+
 /// The events of a recorded run, handed out in their order, with the time they took place. Notices
 /// the first call that is not the recorded one. From then on, and after the end of the recording,
 /// links answer with errors and sleeping just lets time pass: whoever replays looks at diverged()
@@ -32,6 +40,7 @@ class Tape {
   Tape(RecordingReader reader, RecordedRun run);
 
   [[nodiscard]] Instant now() const { return now_; }
+  static constexpr const char* asking_utc = "ask for UTC";  ///< in a Divergence
   /// Times in descriptions count from here; else from the clock's own zero.
   void count_from(Instant origin) { origin_ = origin; }
   void pass_to(Instant when) { now_ = std::max(now_, when); }
@@ -40,6 +49,7 @@ class Tape {
   [[nodiscard]] bool ended() const { return !next_; }
   /// Nothing of the recorded run is left that a program could still repeat.
   [[nodiscard]] bool over() const { return ended() || diverged().has_value(); }
+  [[nodiscard]] const TapeCounts& counts() const { return counts_; }
   /// Why the file could not be read to its end.
   [[nodiscard]] const std::optional<Error>& trouble() const { return trouble_; }
 
@@ -49,13 +59,14 @@ class Tape {
   [[nodiscard]] Result<RecordedEvent> answer(const RecordedEvent& call);
   /// What the program was told when it asked for `what` here, if it was.
   [[nodiscard]] std::optional<std::string> input_if(std::string_view what);
-  /// Same, where it asked in the recorded run for certain.
+  /// Same, of one that asks for certain where it did in the recorded run.
   [[nodiscard]] Result<std::string> input(std::string_view what);
   /// The next event, if it is one of this kind and link.
   [[nodiscard]] const RecordedEvent* next_if(RecordedEvent::Kind kind, std::uint32_t stream) const;
 
  private:
   void advance();
+  void count(const RecordedEvent& event);
   [[nodiscard]] std::string describe(const RecordedEvent& event) const;
 
   RecordingReader reader_;
@@ -63,6 +74,7 @@ class Tape {
   std::optional<RecordedEvent> next_;
   Instant now_{};
   Instant origin_{};
+  TapeCounts counts_;
   std::optional<Divergence> diverged_;
   std::optional<Error> trouble_;
 };
