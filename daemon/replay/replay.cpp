@@ -1,0 +1,133 @@
+#include "daemon/replay/replay.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <future>
+
+#include "daemon/replay/capsule_database.h"
+#include "daemon/replay/run_replay.h"
+#include "daemon/replay/scratch_folder.h"
+#include "schema/compare_campaigns.h"
+#include "schema/open_database.h"
+
+namespace gyrocal::replay {
+namespace {
+
+constexpr char recording_ending[] = ".recording.db";
+
+/// "weekend.db" beside "weekend.recording.db".
+Result<std::string> database_beside(const std::string& recording) {
+  if (recording.ends_with(recording_ending)) {
+    std::string database =
+        recording.substr(0, recording.size() - std::char_traits<char>::length(recording_ending)) +
+        ".db";
+    if (std::filesystem::exists(database)) return database;
+    return fail(Errc::storage, fmt::format("{}: no such database to compare with", database),
+                "--against says where the campaign's database is");
+  }
+  return fail(Errc::bad_input,
+              fmt::format("{}: does not end in {}: which database does it belong to?", recording,
+                          recording_ending),
+              "--against says where the campaign's database is");
+}
+
+/// The database to compare with: named, inside a capsule (unpacked into the folder), or beside.
+Result<std::string> database_of(const ReplayRequest& request, const ScratchFolder& folder) {
+  if (request.against) return *request.against;
+  auto recording = RecordingDatabase::open_to_read(request.recording);
+  if (!recording) return tl::unexpected(recording.error());
+  const auto inside = take_database(*recording, folder / "capsule.db");
+  if (!inside) return tl::unexpected(inside.error());
+  return *inside ? folder / "capsule.db" : database_beside(request.recording);
+}
+
+using Pass = Result<std::vector<RunResult>>;
+
+/// Every run, until one differs.
+Pass replay_all(const std::vector<RunMaterial>& materials, const ScratchFolder& folder,
+                const std::string& label) {
+  std::vector<RunResult> results;
+  for (RunMaterial material : materials) {
+    material.database = folder / fmt::format("{}-{}.db", label, material.run.id);
+    auto result = replay_run(material);
+    if (!result) return tl::unexpected(result.error());
+    results.push_back(std::move(*result));
+    if (results.back().difference) break;
+  }
+  return results;
+}
+
+/// Whether two replays stored the same.
+Result<bool> stored_alike(const std::string& first, const std::string& second) {
+  const auto one = open_to_read(first);
+  if (!one) return tl::unexpected(one.error());
+  const auto other = open_to_read(second);
+  if (!other) return tl::unexpected(other.error());
+  const auto campaign = one->integer("SELECT max(id) FROM campaign");
+  if (!campaign) return tl::unexpected(campaign.error());
+  for (const CampaignPart part : all_campaign_parts) {
+    const auto compared =
+        compare_campaigns({*one, CampaignId{*campaign}}, {*other, CampaignId{*campaign}}, part);
+    if (!compared) return tl::unexpected(compared.error());
+    if (compared->difference || compared->beyond) return false;
+  }
+  return true;
+}
+
+Result<std::vector<RunMaterial>> materials_of(const ReplayRequest& request,
+                                              const std::string& against) {
+  const auto runs = recorded_runs(request.recording);
+  if (!runs) return tl::unexpected(runs.error());
+  if (runs->empty()) {
+    return fail(Errc::bad_input, request.recording + ": holds no run",
+                "was the campaign killed before it began?");
+  }
+  std::vector<RunMaterial> materials;
+  for (const RecordedRun& run : *runs) {
+    auto material = material_of(request.recording, run, request.campaign);
+    if (!material) return tl::unexpected(material.error());
+    material->against = against;
+    for (RunMaterial& earlier : materials) {
+      if (material->begun.resumed && !earlier.next) {
+        earlier.next = material->begun.resumed->t_last_ns;
+      }
+    }
+    materials.push_back(std::move(*material));
+  }
+  return materials;
+}
+
+}  // namespace
+
+Result<ReplayReport> replay(const ReplayRequest& request) {
+  const auto folder = ScratchFolder::make();
+  if (!folder) return tl::unexpected(folder.error());
+  auto against = database_of(request, *folder);
+  if (!against) return tl::unexpected(against.error());
+  const auto materials = materials_of(request, *against);
+  if (!materials) return tl::unexpected(materials.error());
+
+  auto second =
+      std::async(std::launch::async, [&] { return replay_all(*materials, *folder, "second"); });
+  const Pass first = replay_all(*materials, *folder, "first");
+  const Pass again = second.get();
+  if (!first) return tl::unexpected(first.error());
+  if (!again) return tl::unexpected(again.error());
+
+  const bool inside = *against == *folder / "capsule.db";
+  ReplayReport report{
+      request.recording, inside ? "the database inside" : *against, {}, {}, *first == *again};
+  for (const RunResult& result : *first) {
+    report.runs.push_back(result.run);
+    report.difference = result.difference;
+    if (!report.repeatable) continue;
+    const auto alike = stored_alike(*folder / fmt::format("first-{}.db", result.run.number),
+                                    *folder / fmt::format("second-{}.db", result.run.number));
+    if (!alike) return tl::unexpected(alike.error());
+    report.repeatable = *alike;
+  }
+  return report;
+}
+
+}  // namespace gyrocal::replay
