@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compensation/discrepancy/acceleration.h"
 #include "compensation/discrepancy/fast_findings.h"
 #include "compensation/discrepancy/gap.h"
 #include "compensation/discrepancy/model_update.h"
@@ -71,6 +72,20 @@ std::vector<std::string> excluded_effects(const FastEvidence& fast, const Track&
     }
   }
   return names;
+}
+
+/// How much more white noise there is than at 20 degC and at the start, along the track. In steps
+/// of a tenth: bins of one weight share their filter.
+std::vector<double> noise_factors(const CodeFindings& codes, const Track& track) {
+  const double per_c = codes.spread_nats > gate_nats ? codes.spread_percent_per_c / 100 : 0;
+  const double per_h = codes.growth_nats > gate_nats ? codes.growth_percent_per_h / 100 : 0;
+  std::vector<double> factors;
+  factors.reserve(track.record.size());
+  for (const rig::Drivers& now : track.record) {
+    const double log_factor = per_c * (now.die_c - 20) + per_h * now.t_s / 3600;
+    factors.push_back(std::exp(std::round(10 * log_factor) / 10));
+  }
+  return factors;
 }
 
 /// A setup shared by all steps of one diagnosis.
@@ -144,14 +159,27 @@ void merge_harmonics(std::vector<Finding>& findings) {
 }
 
 /// One cause seen in two channels is one finding.
-void settle_between_channels(std::vector<Finding>& slow, std::vector<Finding>& fast) {
+void settle_between_channels(std::vector<Finding>& slow, std::vector<Finding>& fast,
+                             double lsb_dps) {
   const auto among = [](std::vector<Finding>& findings, const char* name) {
     return std::find_if(findings.begin(), findings.end(),
                         [name](const Finding& f) { return is_effect(f, name); });
   };
   // A board warmed by its own electronics reads warmer than the air: no fault of its sensor.
-  if (among(slow, "self_heating") != slow.end()) {
+  const auto may_be = [&slow](const char* name) {
+    return std::any_of(slow.begin(), slow.end(), [name](const Finding& f) {
+      return f.effect == name ||
+             std::count(f.confounded_with.begin(), f.confounded_with.end(), name) > 0;
+    });
+  };
+  if (may_be("self_heating")) {
     std::erase_if(fast, [](const Finding& f) { return is_effect(f, "board_sensor_offset"); });
+  }
+  // Holes that no dwell came near still bend the means on the way: by less than half a count.
+  if (among(fast, "missing_codes") != fast.end()) {
+    std::erase_if(slow, [lsb_dps](const Finding& f) {
+      return is_effect(f, "mode_crossing") && std::abs(f.amplitude) < lsb_dps / 2;
+    });
   }
   merge_harmonics(slow);
   const auto step = among(slow, "compressor_vibration");
@@ -190,7 +218,7 @@ Result<Diagnosis> diagnose(const Session& session, const rig::RigModel& model,
   Case c{session, model, axis_index(session.axis), split_segments(session),
          {},      {},    MeanLaw({}, 0, 0),        MeanLaw({}, 0, 0)};
   c.track = make_track(session, c.segments, model.baseline);
-  add_acceleration(session, c.track);
+  add_acceleration(session, c.segments, c.track);
   c.fast = gather_fast_evidence(session, c.segments, c.track);
   const Range range = gyro_range(session);
   c.law_before = MeanLaw(converter_of(c.fast.codes, session.lsb_dps, false), range.low, range.high);
@@ -212,7 +240,8 @@ Result<Diagnosis> diagnose(const Session& session, const rig::RigModel& model,
                             rows.rows.size()));
   }
   c.row_white_sd_dps = row_white_sd_dps(straight, rows.rows);
-  const SlowStream stream(straight, rows.rows, c.track, bin_width_s(straight));
+  const SlowStream stream(straight, rows.rows, c.track, bin_width_s(straight),
+                          noise_factors(c.fast.codes, c.track));
   if (stream.size() < 24) {
     return fail(Errc::too_few_points,
                 fmt::format("monitor.csv: {} bins of {:.0f} s are left for fitting, expected at "
@@ -228,7 +257,7 @@ Result<Diagnosis> diagnose(const Session& session, const rig::RigModel& model,
       tell_slow_story(slow, session.sample_rate_hz, session.monitor_interval_s,
                       excluded_effects(c.fast, c.track, fast));
   diagnosis.findings = to_findings(story);
-  settle_between_channels(diagnosis.findings, fast);
+  settle_between_channels(diagnosis.findings, fast, session.lsb_dps);
   diagnosis.model = updated_model(model, slow, story, fast, c.fast.codes, c.axis, c.track);
   const rig::RigModel fast_after = fast_part(diagnosis.model);
 

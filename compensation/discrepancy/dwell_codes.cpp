@@ -1,6 +1,9 @@
 #include "compensation/discrepancy/dwell_codes.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -12,7 +15,9 @@ constexpr double outlier_sd = 6.5;
 constexpr double hole_left_over = 0.3;  // of what should come, at most
 constexpr double expected_enough = 5;   // counts, to tell a hole from bad luck
 constexpr double coarse_sd_lsb = 0.5;   // below it quantiles of codes are no Gaussian's
-constexpr double loss_usual = 1e-7;     // share of frames the rig itself may lose
+constexpr double growth_needed_nats = 10;
+constexpr double expected_sd = 3.2;  // further out a dwell's own tails decide which codes come
+constexpr double loss_usual = 1e-7;  // share of frames the rig itself may lose
 
 double upper_tail(double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
 
@@ -87,9 +92,10 @@ struct Counts {
 
 std::int64_t code_of(double y, double lsb) { return std::llround(y / lsb); }
 
-/// Adds what a Gaussian rounded to codes would give for one dwell, out to six deviations.
+/// Adds what a Gaussian rounded to codes would give for one dwell.
 void expect_codes(Histogram& expected, double centre, double sd, double n, double lsb) {
-  const std::int64_t low = code_of(centre - 6 * sd, lsb), high = code_of(centre + 6 * sd, lsb);
+  const std::int64_t low = code_of(centre - expected_sd * sd, lsb),
+                     high = code_of(centre + expected_sd * sd, lsb);
   double before = upper_tail(((static_cast<double>(low) - 0.5) * lsb - centre) / sd);
   for (std::int64_t code = low; code <= high; ++code) {
     const double after = upper_tail(((static_cast<double>(code) + 0.5) * lsb - centre) / sd);
@@ -129,7 +135,8 @@ struct Rail {
   double nats = 0, at_dps = 0;
 };
 
-Rail find_rail(std::span<const DwellData> dwells, double lsb, bool upper) {
+/// @param holes  whether codes are missing elsewhere: then the first one beyond may be one more.
+Rail find_rail(std::span<const DwellData> dwells, double lsb, bool upper, bool holes) {
   const double sign = upper ? 1 : -1;
   // The last value that comes more than by chance: a lone glitch beyond is no evidence against.
   std::map<std::int64_t, double> seen;
@@ -147,11 +154,12 @@ Rail find_rail(std::span<const DwellData> dwells, double lsb, bool upper) {
   }
   for (const DwellData& dwell : dwells) {
     const Shape shape = shape_of(dwell, lsb);
-    const double sd = upper ? shape.below : shape.above;
-    if (sd < coarse_sd_lsb * lsb) return {};
+    const double rounded_sd = upper ? shape.below : shape.above;
+    if (rounded_sd < coarse_sd_lsb * lsb) return {};
+    const double sd = std::sqrt(rounded_sd * rounded_sd - lsb * lsb / 12);
     const auto n = static_cast<double>(dwell.y_dps.size());
     const double edge = (static_cast<double>(code) + 0.5) * lsb - sign * shape.median;
-    beyond += n * upper_tail(edge / sd);
+    beyond += n * upper_tail((edge + (holes ? 2 * lsb : 0)) / sd);
     on += n * (upper_tail((edge - lsb) / sd) - upper_tail(edge / sd));
   }
   if (last->second < on + 0.3 * beyond) return {};
@@ -162,6 +170,7 @@ Rail find_rail(std::span<const DwellData> dwells, double lsb, bool upper) {
 }
 
 void find_outliers(std::span<const DwellData> dwells, double lsb, CodeFindings& findings) {
+  const bool holes = !findings.holes.empty();
   double total = 0, size = 0, up = 0;
   for (const DwellData& dwell : dwells) {
     const Shape shape = shape_of(dwell, lsb);
@@ -169,8 +178,8 @@ void find_outliers(std::span<const DwellData> dwells, double lsb, CodeFindings& 
     total += static_cast<double>(dwell.y_dps.size());
     for (const double y : dwell.y_dps) {
       const double z = std::abs(y - shape.median) / sd;
-      // Coarse codes round a harmless value up to half a count further out.
-      if (z < outlier_sd + 0.5 * lsb / sd) continue;
+      // Coarse codes round a harmless value up to half a count further out, holes push it further.
+      if (z < outlier_sd + (holes ? 2.5 : 0.5) * lsb / sd) continue;
       ++findings.outliers;
       findings.outlier_nats += std::min(z * z / 2 - 10, 40.0);
       size += z;
@@ -222,36 +231,65 @@ void find_stuck(std::span<const DwellData> dwells, double lsb, CodeFindings& fin
       findings.stuck_share / std::sqrt(static_cast<double>(findings.stuck_runs));
 }
 
+/// Weighted sum of squares that a straight line over the given columns leaves, and its
+/// coefficients.
+struct Line {
+  Eigen::VectorXd coefficients, variance;
+  double chi2 = 0;
+};
+
+Line fit_line(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y,
+              const Eigen::VectorXd& root) {
+  const Eigen::MatrixXd x = root.asDiagonal() * columns;
+  const Eigen::VectorXd z = root.asDiagonal() * y;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(x);
+  Line line;
+  line.coefficients = qr.solve(z);
+  line.chi2 = (z - x * line.coefficients).squaredNorm();
+  const Eigen::MatrixXd inverse =
+      (x.transpose() * x).ldlt().solve(Eigen::MatrixXd::Identity(x.cols(), x.cols()));
+  line.variance = inverse.diagonal();
+  return line;
+}
+
+/// ln sigma over temperature and over time: of two drivers, each counts for what the other cannot
+/// explain, and time only where it must.
 void find_spread(std::span<const DwellData> dwells, double lsb, CodeFindings& findings) {
-  double s = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  struct Point {
-    double x, y, weight;
-  };
-  std::vector<Point> points;
+  std::vector<std::array<double, 4>> points;
   for (const DwellData& dwell : dwells) {
     const double sd = white_sd(dwell, lsb);
     if (sd <= 0 || std::isnan(dwell.die_c) || (lsb > 0 && sd < 0.4 * lsb)) continue;
     // Var(ln sd) of the difference estimator is 3/(4 n).
     const double weight = static_cast<double>(dwell.y_dps.size()) / 0.75;
-    points.push_back({dwell.die_c - 20, std::log(sd), weight});
+    points.push_back({dwell.die_c - 20, dwell.t_start_s / 3600, std::log(sd), std::sqrt(weight)});
   }
-  if (points.size() < 4) return;
-  for (const Point& p : points) {
-    s += p.weight, sx += p.weight * p.x, sy += p.weight * p.y, sxx += p.weight * p.x * p.x,
-        sxy += p.weight * p.x * p.y;
+  if (points.size() < 5) return;
+  const auto n = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd both(n, 3);
+  Eigen::VectorXd y(n), root(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto& p = points[static_cast<std::size_t>(i)];
+    both.row(i) << 1, p[0], p[1];
+    y(i) = p[2], root(i) = p[3];
   }
-  const double determinant = s * sxx - sx * sx;
-  if (determinant <= 0) return;
-  const double slope = (s * sxy - sx * sy) / determinant;
-  const double level = (sy - slope * sx) / s;
-  double chi2 = 0;
-  for (const Point& p : points) chi2 += p.weight * std::pow(p.y - level - slope * p.x, 2);
-  const double over = std::max(1.0, chi2 / static_cast<double>(points.size() - 2));
-  const double sd = std::sqrt(over * s / determinant);
-  findings.spread_percent_per_c = 100 * slope;
-  findings.spread_sd = 100 * sd;
-  findings.spread_nats = 0.5 * slope * slope / (sd * sd);
-  findings.spread_at_20_dps = std::exp(level);
+  Eigen::MatrixXd time(n, 2);
+  time << both.col(0), both.col(2);
+  const Line by_temperature = fit_line(both.leftCols(2), y, root);
+  const Line by_time = fit_line(time, y, root), joint = fit_line(both, y, root);
+  const double over = std::max(1.0, joint.chi2 / static_cast<double>(n - 3));
+  findings.growth_nats = 0.5 * (by_temperature.chi2 - joint.chi2) / over;
+  findings.growth_percent_per_h = 100 * joint.coefficients(2);
+  findings.growth_sd = 100 * std::sqrt(over * joint.variance(2));
+  const bool grows = findings.growth_nats > growth_needed_nats;
+  const Line& line = grows ? joint : by_temperature;
+  const double over_line =
+      std::max(1.0, line.chi2 / static_cast<double>(n - line.coefficients.size()));
+  findings.spread_percent_per_c = 100 * line.coefficients(1);
+  findings.spread_sd = 100 * std::sqrt(over_line * line.variance(1));
+  findings.spread_nats =
+      grows ? 0.5 * (by_time.chi2 - joint.chi2) / over
+            : 0.5 * std::pow(findings.spread_percent_per_c / findings.spread_sd, 2);
+  findings.spread_at_20_dps = std::exp(line.coefficients(0));
 }
 
 void find_losses(std::span<const DwellData> dwells, CodeFindings& findings) {
@@ -290,7 +328,7 @@ CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps) {
       double square = 0;
       for (const double r : dwell.residual_dps) square += r * r;
       // Glitches widen the variance but not the quantiles, and would ask for codes far out.
-      const double robust = 1.2 * shape_of(dwell, lsb).sd;
+      const double robust = 1.05 * shape_of(dwell, lsb).sd;
       const double variance =
           std::min(square / static_cast<double>(dwell.residual_dps.size()), robust * robust);
       const double sd = std::sqrt(std::max(variance - rounding, 0.02 * lsb * lsb));
@@ -298,7 +336,9 @@ CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps) {
                    lsb);
     }
     find_holes(counts, findings);
-    const Rail upper = find_rail(dwells, lsb, true), lower = find_rail(dwells, lsb, false);
+    const bool holes = !findings.holes.empty();
+    const Rail upper = find_rail(dwells, lsb, true, holes),
+               lower = find_rail(dwells, lsb, false, holes);
     findings.upper_nats = upper.nats, findings.upper_dps = upper.at_dps;
     findings.lower_nats = lower.nats, findings.lower_dps = lower.at_dps;
   }

@@ -36,6 +36,8 @@ struct CodeFindings {
   double spread_nats = 0;  ///< ln sigma linear in die temperature
   double spread_percent_per_c = 0, spread_sd = 0;
   double spread_at_20_dps = 0;
+  double growth_nats = 0;  ///< ln sigma linear in time, what temperature explains taken off
+  double growth_percent_per_h = 0, growth_sd = 0;
 
   double lost_nats = 0;
   std::int64_t lost = 0, expected = 0;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <vector>
 
 #include "compensation/discrepancy/simplex.h"
+#include "compensation/discrepancy/slow_noise.h"
 
 namespace gyrocal {
 namespace {
@@ -174,6 +176,48 @@ double best_relax(const Traces& traces, double tau_samples) {
   return best;
 }
 
+/// Flicker + white by the filter of the slow stream, each dwell with its own level. Dwells of one
+/// length share a filter.
+double flicker_log_likelihood(const std::map<std::size_t, Eigen::MatrixXd>& by_length,
+                              double ratio) {
+  double logs = 0, square = 0, n = 0;
+  for (const auto& [length, columns] : by_length) {
+    SlowGrid grid;
+    grid.weight_s.assign(length, 1.0);
+    for (std::size_t i = 0; i < length; ++i) grid.t_s.push_back(static_cast<double>(i));
+    const SlowWhitener whitener(grid, {.flicker_ratio = ratio, .walk_ratio = 0});
+    const Eigen::MatrixXd white = whitener.whiten(columns);
+    const Eigen::VectorXd one = white.rightCols(1) / white.rightCols(1).norm();
+    const Eigen::Index dwells = columns.cols() - 1;
+    square += white.leftCols(dwells).squaredNorm() -
+              (one.transpose() * white.leftCols(dwells)).squaredNorm();
+    logs += whitener.log_determinant() * static_cast<double>(dwells);
+    n += static_cast<double>(length) * static_cast<double>(dwells);
+  }
+  return -0.5 * (n * (std::log(2 * std::numbers::pi * square / n) + 1) + logs);
+}
+
+double best_flicker(const Traces& traces) {
+  std::map<std::size_t, std::vector<const std::vector<double>*>> groups;
+  for (const auto& trace : traces) groups[trace.size()].push_back(&trace);
+  std::map<std::size_t, Eigen::MatrixXd> by_length;
+  for (const auto& [length, group] : groups) {
+    const auto rows = static_cast<Eigen::Index>(length);
+    Eigen::MatrixXd columns(rows, static_cast<Eigen::Index>(group.size()) + 1);
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      columns.col(static_cast<Eigen::Index>(k)) =
+          Eigen::Map<const Eigen::VectorXd>(group[k]->data(), rows);
+    }
+    columns.rightCols(1).setOnes();
+    by_length[length] = std::move(columns);
+  }
+  const auto cost = [&](const Eigen::VectorXd& x) {
+    return -flicker_log_likelihood(by_length, std::exp(std::clamp(x(0), -14.0, 4.0)));
+  };
+  return -minimise(cost, Eigen::VectorXd::Constant(1, -5.0), Eigen::VectorXd::Ones(1), 0.02, 40)
+              .value;
+}
+
 Traces clipped_traces(std::span<const DwellData> dwells) {
   Traces traces;
   for (const DwellData& dwell : dwells) {
@@ -262,6 +306,7 @@ TelegraphFit fit_telegraph(std::span<const DwellData> dwells, double sample_rate
   fit.nats = value - white_log_likelihood(traces);
   const double tau_samples = 1 / (best.rise + best.fall);
   fit.lead_nats = value - best_relax(traces, std::max(tau_samples, 0.5));
+  fit.flicker_lead_nats = value - best_flicker(traces);
   fit.level_dps = std::abs(best.level);
   fit.low_dwell_s = 1 / (best.rise * sample_rate_hz);
   fit.high_dwell_s = 1 / (best.fall * sample_rate_hz);

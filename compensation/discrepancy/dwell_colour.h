@@ -18,9 +18,10 @@ struct DwellColour {
 
 /// Two-level switching in the samples, by a hidden Markov model.
 struct TelegraphFit {
-  double nats = 0;       ///< gain over white noise
-  double lead_nats = 0;  ///< over Ornstein-Uhlenbeck + white, which has the same spectrum
-  double level_dps = 0;  ///< distance of the two levels
+  double nats = 0;               ///< gain over white noise
+  double lead_nats = 0;          ///< over Ornstein-Uhlenbeck + white, which has the same spectrum
+  double flicker_lead_nats = 0;  ///< over flicker + white
+  double level_dps = 0;          ///< distance of the two levels
   double level_sd_dps = 0;
   double low_dwell_s = 0;
   double high_dwell_s = 0;

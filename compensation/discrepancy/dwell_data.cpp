@@ -8,7 +8,6 @@ namespace gyrocal {
 namespace {
 
 constexpr std::size_t samples_min = 32;
-constexpr double tilt_seen_g = 0.003;
 
 void detrend(DwellData& data) {
   const auto n = static_cast<double>(data.y_dps.size());
@@ -73,51 +72,6 @@ std::vector<DwellData> dwell_data(const Session& session, std::span<const Segmen
     add_drivers(track, data);
   }
   return all;
-}
-
-void add_acceleration(const Session& session, Track& track) {
-  struct Mean {
-    double t = 0, n = 0;
-    std::array<double, 3> g{};
-  };
-  std::map<int, Mean> means;
-  for (const SessionSample& sample : session.samples) {
-    if (std::isnan(sample.acc_g[0] + sample.acc_g[1] + sample.acc_g[2])) continue;
-    Mean& mean = means[sample.dwell];
-    mean.t += sample.t_s;
-    mean.n += 1;
-    for (std::size_t axis = 0; axis < 3; ++axis) mean.g[axis] += sample.acc_g[axis];
-  }
-  std::vector<Mean> course;
-  for (auto& [dwell, mean] : means) {
-    mean.t /= mean.n;
-    for (double& g : mean.g) g /= mean.n;
-    course.push_back(mean);
-  }
-  std::sort(course.begin(), course.end(), [](const Mean& a, const Mean& b) { return a.t < b.t; });
-  if (course.empty()) return;
-  std::size_t right = 0;
-  for (rig::Drivers& now : track.record) {
-    while (right < course.size() && course[right].t < now.t_s) ++right;
-    const Mean& before = course[right == 0 ? 0 : right - 1];
-    const Mean& after = course[std::min(right, course.size() - 1)];
-    const double share = after.t > before.t ? (now.t_s - before.t) / (after.t - before.t) : 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      now.acc_g[axis] = before.g[axis] + share * (after.g[axis] - before.g[axis]);
-    }
-  }
-}
-
-bool acceleration_varies(const Track& track) {
-  std::array<double, 3> low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
-  for (const rig::Drivers& now : track.record) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], now.acc_g[axis]);
-      high[axis] = std::max(high[axis], now.acc_g[axis]);
-    }
-  }
-  return high[0] - low[0] > tilt_seen_g || high[1] - low[1] > tilt_seen_g ||
-         high[2] - low[2] > tilt_seen_g;
 }
 
 }  // namespace gyrocal

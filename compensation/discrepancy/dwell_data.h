@@ -32,11 +32,4 @@ struct DwellData {
                                                 std::span<const Segment> segments,
                                                 const Track& track, bool held_out);
 
-/// Mean of the accelerometer over each dwell of the session that has one; for the driver of
-/// g_sensitivity, which may look at all dwells (an input, not a target).
-void add_acceleration(const Session& session, Track& track);
-
-/// Whether the accelerometer moved by more than its own noise during the session.
-[[nodiscard]] bool acceleration_varies(const Track& track);
-
 }  // namespace gyrocal

@@ -13,6 +13,8 @@ namespace gyrocal {
 namespace {
 
 constexpr double gated = 0.5;  // correlation of a line's power with the chamber's cooling
+// Two levels that owe nearly all they gain to their spectrum are a noise of that spectrum.
+constexpr double telegraph_lead_share = 0.12;
 
 Finding finding(const char* effect, const char* law, double amplitude, const char* unit, double sd,
                 double nats) {
@@ -141,12 +143,10 @@ void add_telegraph(const FastEvidence& evidence, std::vector<Finding>& found) {
                      {"low", fit.low_dwell_s},
                      {"high", fit.high_dwell_s},
                      {"ea", 0.0}};
-  // Two levels must do better than any Gaussian noise of a like spectrum.
-  made.lead_nats = std::min({fit.nats, fit.lead_nats, fit.nats - evidence.colour.flicker_nats});
-  if (made.lead_nats < lead_to_name_nats) {
-    if (evidence.colour.flicker_nats < gate_nats) return;
-    made.confounded_with = {"bias_instability"};
-  }
+  // Two levels must do better than any Gaussian noise of a like spectrum. What such noise explains
+  // as well, the slow stream shows too and names.
+  made.lead_nats = std::min({fit.nats, fit.lead_nats, fit.flicker_lead_nats});
+  if (made.lead_nats < std::max(lead_to_name_nats, telegraph_lead_share * fit.nats)) return;
   found.push_back(std::move(made));
 }
 
@@ -209,6 +209,16 @@ void add_codes(const CodeFindings& codes, std::vector<Finding>& found) {
         finding("noise_temperature_dependence", "exponential", codes.spread_percent_per_c, "%/degC",
                 codes.spread_sd, codes.spread_nats);
     made.parameters = {{"s1", codes.spread_percent_per_c}};
+    found.push_back(std::move(made));
+  }
+  if (codes.growth_nats > gate_nats && !bent) {
+    Finding made = finding("unknown", "spread_over_time", codes.growth_percent_per_h, "%/h",
+                           codes.growth_sd, codes.growth_nats);
+    made.parameters = {{"percent_per_h", codes.growth_percent_per_h}};
+    made.description = fmt::format(
+        "the samples' white noise changes by {:+.3g} % an hour, whatever the temperature ({:.1f} "
+        "nats over what temperature alone explains)",
+        codes.growth_percent_per_h, codes.growth_nats);
     found.push_back(std::move(made));
   }
   if (codes.lost_nats > gate_nats) {

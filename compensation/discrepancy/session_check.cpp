@@ -12,6 +12,7 @@ namespace {
 
 constexpr double rate_tolerance = 0.05;
 constexpr std::size_t monitor_rows_min = 32;
+constexpr double gap_s_max = 1800;  // the record may have a gap at its end, as anywhere
 
 Result<void> check_head(const Session& session) {
   const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
@@ -80,8 +81,8 @@ Result<void> check_monitor(const Session& session) {
 }
 
 Result<void> check_dwells_inside(const Session& session) {
-  const double first = session.monitor.front().t_s - session.monitor_interval_s;
-  const double last = session.monitor.back().t_s + session.monitor_interval_s;
+  const double first = session.monitor.front().t_s - gap_s_max;
+  const double last = session.monitor.back().t_s + gap_s_max;
   for (const SessionDwell& dwell : session.dwells) {
     if (dwell.t_start_s < first || dwell.t_start_s > last) {
       return fail(Errc::bad_input,

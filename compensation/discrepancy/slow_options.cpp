@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compensation/discrepancy/dwell_spectrum.h"
+#include "compensation/discrepancy/resonant_drift.h"
 #include "compensation/discrepancy/slow_line.h"
 #include "compensation/discrepancy/slow_telegraph.h"
 
@@ -15,6 +16,9 @@ namespace {
 constexpr double parameter_costs_nats = 1;
 constexpr double telegraph_costs_nats = 6;
 constexpr double telegraph_flips_min = 6;
+constexpr double regular_nats = 6;
+constexpr double resonance_worth_nats = 10;
+constexpr double resonance_lead_nats = 4;
 
 bool is_in(const std::string& name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -78,7 +82,7 @@ void add_telegraph(const SlowModel& model, std::vector<SlowOption>& options) {
   if (model.fit_free().log_likelihood - model.fit().log_likelihood < 2) return;
   if (model.noise().flicker || model.noise().walk) return;
   const SlowTelegraph fit = fit_slow_telegraph(model);
-  if (fit.flips < telegraph_flips_min) return;
+  if (fit.flips < telegraph_flips_min || fit.regular_nats > regular_nats) return;
   SlowOption option;
   option.score = fit.log_likelihood - model.fit().log_likelihood - telegraph_costs_nats;
   option.beyond_noise = fit.log_likelihood - model.fit_free().log_likelihood - telegraph_costs_nats;
@@ -88,6 +92,38 @@ void add_telegraph(const SlowModel& model, std::vector<SlowOption>& options) {
   option.finding.amplitude = fit.level_dps * 1000;
   option.finding.amplitude_sd = fit.level_sd_dps * 1000;
   option.finding.parameters = {{"low", fit.low_dwell_s}, {"high", fit.high_dwell_s}};
+  options.push_back(std::move(option));
+}
+
+/// Noise with a time scale of its own is none of the catalogue's: where it does better than all
+/// that flicker and walk can, they lose their names. It keeps the family of the best of them, which
+/// follows its course well enough.
+void add_resonance(const SlowModel& model, std::vector<SlowOption>& options) {
+  if (model.fit_free().log_likelihood - model.fit().log_likelihood < resonance_worth_nats) return;
+  const ResonantDrift fit = fit_resonant_drift(model);
+  if (fit.log_likelihood - model.fit_free().log_likelihood < resonance_lead_nats) return;
+  const SlowOption* noise = nullptr;
+  for (const SlowOption& option : options) {
+    const bool follows = option.noise.flicker || option.noise.walk;
+    if (follows && (noise == nullptr || option.score > noise->score)) noise = &option;
+  }
+  if (noise == nullptr) return;
+  SlowOption option;
+  option.score = fit.log_likelihood - model.fit().log_likelihood - 2 * parameter_costs_nats;
+  option.beyond_noise = option.score;
+  option.noise = noise->noise;
+  option.finding.effect = "unknown";
+  option.finding.law = "resonant_noise";
+  option.finding.amplitude = fit.sd_dps;
+  option.finding.amplitude_sd = fit.sd_dps / std::sqrt(2 * fit.turns);
+  option.finding.parameters = {{"period_s", fit.period_s}, {"quality", fit.quality}};
+  option.finding.unknown_driver = "time";
+  option.finding.description = fmt::format(
+      "a drift of {:.3g} mdps rms that follows no temperature and has a time scale of its own "
+      "(period {:.3g} s, quality {:.2g}), which neither flicker nor a random walk has ({:.1f} nats "
+      "over both)",
+      fit.sd_dps * 1000, fit.period_s, fit.quality,
+      fit.log_likelihood - model.fit_free().log_likelihood);
   options.push_back(std::move(option));
 }
 
@@ -146,6 +182,7 @@ std::vector<SlowOption> slow_options(const SlowModel& model, double sample_rate_
   }
   add_noise(model, options);
   add_telegraph(model, options);
+  add_resonance(model, options);
   add_line(model, sample_rate_hz, options);
   std::erase_if(options,
                 [&](const SlowOption& option) { return is_in(option.finding.effect, excluded); });

@@ -106,7 +106,7 @@ class ShapeSpace {
     for (std::size_t i = law.info.linear ? 1 : 0; i < at.size(); ++i) {
       const rig::Parameter& parameter = law.info.parameters[i];
       const bool logarithmic = parameter.spacing == rig::Spacing::logarithmic;
-      double low = at[i], high = at[i];
+      double low = trials.front()[i], high = low;
       for (const Values& row : trials) low = std::min(low, row[i]), high = std::max(high, row[i]);
       if (logarithmic) low /= 1.6, high *= 1.6;
       if (!logarithmic && i == 0) low = parameter.low, high = parameter.high;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compensation/discrepancy/slow_doubts.h"
 #include "compensation/discrepancy/slow_options.h"
+#include "compensation/discrepancy/told_amplitude.h"
 
 namespace gyrocal {
 namespace {
@@ -17,11 +19,9 @@ constexpr double surely_no_noise_nats = 14;
 constexpr double timing_s_min = 5;
 // What a law leaves over because nature does not follow it to the letter is no second effect.
 constexpr double imperfect_law_share = 0.03;
-// A curve that knows no physics must beat the named effects by this much before it is believed
-// more than they: laws are never exact, and the curve picks up what they leave.
-constexpr double curve_over_name = 1.5;
+// When a compressor runs is only guessed from the air.
+constexpr double guessed_law_share = 0.12;
 constexpr double unexplained_share = 0.12;
-constexpr double unknown_gate_nats = 12;
 
 /// What the model had before the story began.
 struct Given {
@@ -77,8 +77,6 @@ bool passes(const SlowOption& option) {
   return option.score >= gate_nats && option.beyond_noise >= gate_nats;
 }
 
-bool is_noise(const SlowOption& option) { return option.noise.flicker || option.noise.walk; }
-
 constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
 /// Evidence, lead and rivals of the best option among all.
@@ -86,32 +84,15 @@ void judge(SlowOption& chosen, const std::vector<SlowOption>& all) {
   chosen.finding.evidence_nats = chosen.score;
   chosen.finding.lead_nats = chosen.score;
   chosen.finding.rivals.clear();
+  if (is_unknown(chosen)) return;
   for (const SlowOption& other : all) {
-    if (other.finding.effect == chosen.finding.effect) continue;
+    if (other.finding.effect == chosen.finding.effect || is_unknown(other)) continue;
     const double lead = chosen.score - std::max(other.score, 0.0);
     chosen.finding.lead_nats = std::min(chosen.finding.lead_nats, lead);
     if (lead < lead_to_name_nats && other.score >= gate_nats - lead_to_name_nats) {
       chosen.finding.rivals.push_back(other.finding.effect);
     }
   }
-}
-
-SlowOption curve_option(const SmoothGain& gain) {
-  SlowOption option;
-  option.score = gain.nats;
-  option.finding.effect = "unknown";
-  option.finding.law = "curve";
-  option.finding.amplitude = gain.rms_dps;
-  option.finding.evidence_nats = gain.nats;
-  option.finding.lead_nats = gain.nats;
-  option.finding.unknown_driver = gain.driver;
-  option.finding.courses = {gain.curve};
-  option.finding.parameters = {{"peak_dps", gain.peak_dps}, {"peak_at", gain.peak_at}};
-  option.finding.description = fmt::format(
-      "a drift that follows {} ({:.3g} mdps rms, largest {:+.3g} mdps at {:.4g} {}); no effect of "
-      "the catalogue has this shape",
-      gain.driver, gain.rms_dps * 1000, gain.peak_dps * 1000, gain.peak_at, gain.unit);
-  return option;
 }
 
 std::vector<std::string> already(const std::vector<SlowOption>& chapters,
@@ -125,26 +106,6 @@ std::vector<std::string> already(const std::vector<SlowOption>& chapters,
     if (i != leave_out && !again) names.push_back(name);
   }
   return names;
-}
-
-/// See SlowFinding::effective_amplitude.
-double effective_amplitude(const SlowFinding& finding, const SlowModel& model) {
-  if (!finding.term) return 0;
-  if (finding.effect == "g_sensitivity" && finding.law == "measured") {
-    const auto& values = finding.term->values;
-    return values[0] * std::sqrt(1 + values[1] * values[1] + values[2] * values[2]);
-  }
-  const bool aging = finding.effect == "aging_drift" && finding.law != "linear";
-  if (!aging && finding.effect != "condensation_step") return 0;
-  const auto& record = model.track().record;
-  const auto course =
-      rig::drift_over(*finding.term->law, finding.term->values, model.bias(), record);
-  if (aging) {
-    const double hours = (record.back().t_s - record.front().t_s) / 3600;
-    return (course.back() - course.front()) / hours * 1000;
-  }
-  return *std::max_element(course.begin(), course.end(),
-                           [](double a, double b) { return std::abs(a) < std::abs(b); });
 }
 
 class Story {
@@ -166,13 +127,14 @@ class Story {
     }
     withdraw_a_crowd();
     add_unexplained_rest();
+    withdraw_shadows();
   }
 
   std::vector<SlowFinding> findings() const {
     std::vector<SlowFinding> found;
     for (const SlowOption& chapter : chapters_) {
       found.push_back(chapter.finding);
-      found.back().effective_amplitude = effective_amplitude(found.back(), model_);
+      found.back().effective_amplitude = told_amplitude(found.back(), model_);
     }
     return found;
   }
@@ -199,10 +161,23 @@ class Story {
     const auto best = choose_next(options);
     if (best == options.end()) return false;
     judge(*best, options);
-    if (curve_is_better_than(*best)) return false;
-    chapters_.push_back(*best);
-    remake();
+    doubt_rate(model_, *best);
+    const SmoothGain curve = smooth_gains(model_).front();
+    if (curve_beats_name(curve, *best)) return false;
+    add(curve_beats_chance(curve, *best) ? curve_option(curve) : *best);
     return true;
+  }
+
+  /// What a curve or a noise without a name explains is what the fit gains by it, whatever else
+  /// could have.
+  void add(SlowOption option) {
+    const double before = model_.fit().log_likelihood;
+    chapters_.push_back(std::move(option));
+    remake();
+    SlowOption& added = chapters_.back();
+    if (!is_unknown(added)) return;
+    added.score = std::max(added.score, model_.fit().log_likelihood - before);
+    added.finding.evidence_nats = added.score;
   }
 
   [[nodiscard]] bool worth_another_look() const {
@@ -224,6 +199,7 @@ class Story {
         continue;
       }
       judge(*best, options);
+      doubt_rate(model_, *best);
       changed = changed || best->finding.effect != chapters_[i].finding.effect;
       chapters_[i] = *best;
       ++i;
@@ -237,7 +213,7 @@ class Story {
   [[nodiscard]] std::vector<SlowOption>::iterator choose_next(
       std::vector<SlowOption>& options) const {
     const auto enough = [this](const SlowOption& option) {
-      return passes(option) && option.score >= imperfect_law_share * explained();
+      return passes(option) && option.score >= expected_leftover();
     };
     auto best = options.end();
     for (auto option = options.begin(); option != options.end(); ++option) {
@@ -249,34 +225,48 @@ class Story {
     return best != options.end() ? best : std::find_if(options.begin(), options.end(), enough);
   }
 
-  /// What the strongest deterministic finding explains.
-  [[nodiscard]] double explained() const {
+  /// What the deterministic findings, not being exact, may leave over.
+  [[nodiscard]] double expected_leftover() const {
     double most = 0;
     for (const SlowOption& chapter : chapters_) {
-      if (!is_noise(chapter)) most = std::max(most, chapter.score);
+      if (is_noise(chapter)) continue;
+      const bool guessed = chapter.finding.effect == "compressor_vibration";
+      most = std::max(most, (guessed ? guessed_law_share : imperfect_law_share) * chapter.score);
     }
     return most;
-  }
-
-  /// Whether a curve that knows no physics does so much better that the name is not believed.
-  [[nodiscard]] bool curve_is_better_than(const SlowOption& option) const {
-    return smooth_gains(model_).front().nats > curve_over_name * option.beyond_noise + gate_nats;
   }
 
   /// Nature has one fault, seldom two. Where three or more laws are needed, they are the words of
   /// the wrong language: what they describe is kept, their names are not.
   void withdraw_a_crowd() {
     if (chapters_.size() < crowd) return;
+    withdraw([](const SlowOption&) { return true; },
+             fmt::format("{} such parts are needed", chapters_.size()));
+  }
+
+  /// Beside something larger that has no name, a name may be no more than a word for its remainder.
+  void withdraw_shadows() {
+    double unknown = 0;
+    for (const SlowOption& chapter : chapters_) {
+      if (is_unknown(chapter)) unknown = std::max(unknown, chapter.score);
+    }
+    withdraw([unknown](const SlowOption& chapter) { return chapter.score < unknown; },
+             "something larger without a name is there too");
+  }
+
+  /// Keeps what these chapters describe and takes their names away.
+  template <class Doubted>
+  void withdraw(const Doubted& doubted, const std::string& why) {
     // One course for all parts: side by side they would be nearly dependent.
     std::vector<double> together(model_.track().record.size(), 0.0);
+    SlowFinding* first = nullptr;
     for (SlowOption& chapter : chapters_) {
       SlowFinding& finding = chapter.finding;
-      if (finding.effect == "unknown") continue;
+      if (is_unknown(chapter) || !doubted(chapter)) continue;
+      if (first == nullptr) first = &finding;
       finding.description = fmt::format(
-          "a part that {} would describe ({:.3g} in its unit), but {} such parts are needed, so "
-          "the "
-          "names are not believed",
-          finding.effect, finding.amplitude, chapters_.size());
+          "a part that {} would describe ({:.3g} in its unit), but {}, so its name is not believed",
+          finding.effect, finding.amplitude, why);
       if (finding.term) {
         const auto part = rig::drift_over(*finding.term->law, finding.term->values, model_.bias(),
                                           model_.track().record);
@@ -288,10 +278,10 @@ class Story {
       finding.rivals.clear();
       finding.parameters.clear();
     }
-    SlowFinding& first = chapters_.front().finding;
+    if (first == nullptr) return;
     if (std::any_of(together.begin(), together.end(), [](double dps) { return dps != 0; })) {
-      first.courses.push_back(std::move(together));
-      first.unknown_driver = "time";
+      first->courses.push_back(std::move(together));
+      first->unknown_driver = "time";
     }
     remake();
   }
@@ -303,8 +293,7 @@ class Story {
       const auto gains = smooth_gains(model_);
       if (gains.front().nats < std::max(unknown_gate_nats, unexplained_share * named)) return;
       withdraw_names_beaten_by(gains.front());
-      chapters_.push_back(curve_option(gains.front()));
-      remake();
+      add(curve_option(gains.front()));
     }
   }
 

@@ -46,7 +46,7 @@ std::vector<double> distances(const std::vector<double>& y) {
 }  // namespace
 
 SlowStream::SlowStream(const Session& session, std::span<const std::size_t> rows,
-                       const Track& track, double bin_s) {
+                       const Track& track, double bin_s, std::span<const double> noise_factor) {
   GYROCAL_ASSERT(track.record.size() >= 2);
   std::vector<double> t, weight, y, count;
   double opened_s = 0, last_s = 0;
@@ -62,8 +62,8 @@ SlowStream::SlowStream(const Session& session, std::span<const std::size_t> rows
     t.back() += row.t_s;
     y.back() += row.gyro_dps;
     count.back() += 1;
-    weight.back() += session.monitor_interval_s;
     const Place place = place_on(track, row.t_s);
+    weight.back() += std::pow(noise_factor[place.left], 2);
     taps_.push_back({static_cast<std::uint32_t>(t.size() - 1),
                      static_cast<std::uint32_t>(place.left), 1 - place.right_share,
                      place.right_share});
@@ -71,6 +71,7 @@ SlowStream::SlowStream(const Session& session, std::span<const std::size_t> rows
   y_dps_.resize(static_cast<Eigen::Index>(y.size()));
   for (std::size_t i = 0; i < y.size(); ++i) {
     t[i] /= count[i];
+    weight[i] = session.monitor_interval_s * count[i] * count[i] / weight[i];
     y_dps_(static_cast<Eigen::Index>(i)) = y[i] / count[i];
   }
   for (Tap& tap : taps_) {

@@ -17,8 +17,9 @@ namespace gyrocal {
 class SlowStream {
  public:
   /// @param rows  chosen monitor rows (indices, ascending), each with a gyro mean.
+  /// @param noise_factor  at the track's instants: by how much white noise exceeds its reference.
   SlowStream(const Session& session, std::span<const std::size_t> rows, const Track& track,
-             double bin_s);
+             double bin_s, std::span<const double> noise_factor);
 
   [[nodiscard]] const SlowGrid& grid() const { return grid_; }
   [[nodiscard]] const Eigen::VectorXd& y_dps() const { return y_dps_; }

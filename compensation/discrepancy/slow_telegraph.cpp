@@ -88,6 +88,38 @@ struct Weighted {
   Eigen::HouseholderQR<Eigen::MatrixXd> design;
 };
 
+/// Lengths of the stays on one level that begin and end inside a piece of the record without gaps.
+std::vector<double> stays_s(const SlowGrid& grid, const Eigen::VectorXd& high, bool upper) {
+  std::vector<double> stays;
+  double began_s = -1;  // below 0: its beginning was not seen
+  for (Eigen::Index k = 1; k < high.size(); ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const double dt_s = grid.t_s[at] - grid.t_s[at - 1];
+    if (dt_s > 3 * grid.weight_s[at]) began_s = -1;
+    const bool before = high(k - 1) > 0.5, now = high(k) > 0.5;
+    if (before == now) continue;
+    const double flip_s = grid.t_s[at] - dt_s / 2;
+    if (before == upper && began_s >= 0) stays.push_back(flip_s - began_s);
+    began_s = flip_s;
+  }
+  return stays;
+}
+
+/// Maximum likelihood of a gamma law over the exponential of the same mean.
+double gamma_gain(const std::vector<double>& lengths) {
+  const auto n = static_cast<double>(lengths.size());
+  if (lengths.size() < 3) return 0;
+  double mean = 0, mean_log = 0;
+  for (const double s : lengths) mean += s / n, mean_log += std::log(s) / n;
+  const double spread = std::log(mean) - mean_log;
+  double best = 0;
+  for (double shape = 1; shape < 500; shape *= 1.1) {
+    best = std::max(
+        best, n * (shape * std::log(shape) - std::lgamma(shape) - (shape - 1) * (1 + spread)));
+  }
+  return best;
+}
+
 void maximise(const SlowModel& model, const Weighted& weighted, const Expectation& expected,
               Levels& levels) {
   const Eigen::VectorXd state = expected.high.array() - 0.5;
@@ -134,6 +166,8 @@ SlowTelegraph fit_slow_telegraph(const SlowModel& model) {
       best.high_dwell_s = 1 / levels.fall_per_s;
       best.flips = expected.rises + expected.falls;
       best.high = expected.high;
+      best.regular_nats = gamma_gain(stays_s(grid, expected.high, true)) +
+                          gamma_gain(stays_s(grid, expected.high, false));
       best.level_sd_dps =
           2 *
           std::sqrt(levels.white_variance /

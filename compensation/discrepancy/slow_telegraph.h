@@ -9,7 +9,10 @@ struct SlowTelegraph {
   double log_likelihood = -1e300;  ///< of design + two levels + white noise [nat]
   double level_dps = 0, level_sd_dps = 0;
   double low_dwell_s = 0, high_dwell_s = 0;
-  double flips = 0;      ///< expected number of changes of level
+  double flips = 0;  ///< expected number of changes of level
+  /// Gain of a gamma law for the lengths of stays over the exponential that chance makes: large
+  /// where something switches by a clock [nat].
+  double regular_nats = 0;
   Eigen::VectorXd high;  ///< probability of the high level in each bin
 };
 

@@ -54,6 +54,9 @@ std::vector<Driver> drivers(const Track& track) {
   const std::vector<double> ones(track.record.size(), 1.0);
   const std::vector<double> die = each([](const rig::Drivers& d) { return d.die_c; });
   const std::vector<double> sign = direction(track, 1.0);
+  const double end_s = track.record.back().t_s;
+  const std::vector<double> elapsed =
+      each([end_s](const rig::Drivers& d) { return d.t_s / end_s; });
   return {
       {"die temperature", "degC", die, ones},
       {"die temperature, by direction", "degC", die, sign},
@@ -63,6 +66,7 @@ std::vector<Driver> drivers(const Track& track) {
        each([](const rig::Drivers& d) { return std::clamp(d.chamber_c - d.board_c, -8.0, 8.0); }),
        ones},
       {"time since the last step", "log10 s", since_step(track), ones},
+      {"die temperature, growing with time", "degC", die, elapsed},
       {"time", "h", each([](const rig::Drivers& d) { return d.t_s / 3600; }), ones},
   };
 }

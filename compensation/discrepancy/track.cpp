@@ -211,12 +211,20 @@ Track make_track(const Session& session, std::span<const Segment> segments,
   Column board;
   track.board_sensor.tau_s = baseline.board_tau_s;
   if (!chamber.empty()) {
-    const double start_c = !sensor.empty() && std::abs(sensor.front() - chamber.front()) > 1.5
-                               ? sensor.front()
-                               : chamber.front();
-    track.board_sensor =
-        fit_board_sensor(session, board_readings(session, segments, track.t0_s, track.step_s, n),
-                         chamber, track.step_s, start_c, baseline.board_tau_s);
+    const Seen seen = board_readings(session, segments, track.t0_s, track.step_s, n);
+    double start_c = chamber.front();
+    const auto fit = [&] {
+      return fit_board_sensor(session, seen, chamber, track.step_s, start_c, baseline.board_tau_s);
+    };
+    track.board_sensor = fit();
+    // A board that came in warmer or colder than the air; what its sensor is off by is no such
+    // thing.
+    const double came_in_c =
+        sensor.empty() ? start_c : sensor.front() - track.board_sensor.offset_c;
+    if (std::abs(came_in_c - chamber.front()) > 1.5) {
+      start_c = came_in_c;
+      track.board_sensor = fit();
+    }
     board = lagged(chamber, track.step_s, track.board_sensor.tau_s, start_c);
   } else if (!sensor.empty()) {
     track.lost =

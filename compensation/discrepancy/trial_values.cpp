@@ -51,7 +51,7 @@ Values steps(double low, double high, double step) {
 /// only half of an off-grid bump (discrepancy_methods.md, trap 5).
 Rows places_and_widths(const Extent& extent, const Values& rest) {
   Rows rows;
-  for (const double w : {0.35, 0.7, 1.4, 2.8, 5.0}) {
+  for (const double w : {0.5, 0.9, 1.6, 2.8, 5.0}) {
     for (const double t0 : steps(extent.die_min_c, extent.die_max_c, std::max(0.5, 0.7 * w))) {
       Values row{1.0, t0, w};
       row.insert(row.end(), rest.begin(), rest.end());
