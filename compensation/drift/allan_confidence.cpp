@@ -73,11 +73,19 @@ double chi_squared_quantile(double degrees_of_freedom, double probability) {
   const double a = degrees_of_freedom / 2;
   double low = -700;  // of log(x / 2)
   double high = std::log(a + 40 + 20 * std::sqrt(a));
-  for (int halving = 0; halving < 80; ++halving) {
-    const double middle = (low + high) / 2;
-    (lower_gamma(a, std::exp(middle)) < probability ? low : high) = middle;
+  double at = std::log(a);
+  for (int step = 0; step < 80 && high - low > 1e-13; ++step) {
+    const double x = std::exp(at);
+    const double excess = lower_gamma(a, x) - probability;
+    (excess < 0 ? low : high) = at;
+    const double slope = std::exp(a * at - x - std::lgamma(a));
+    const double newton = at - excess / slope;
+    // Newton while it stays within what is known, else halves.
+    const double next = newton > low && newton < high ? newton : (low + high) / 2;
+    if (std::abs(next - at) < 1e-14 * (1 + std::abs(at))) break;
+    at = next;
   }
-  return 2 * std::exp((low + high) / 2);
+  return 2 * std::exp(at);
 }
 
 }  // namespace gyrocal

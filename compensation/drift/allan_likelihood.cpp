@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace gyrocal {
 namespace {
@@ -102,6 +103,27 @@ Eigen::Vector4d scoring_step(const Problem& problem, const Amounts& amount) {
   return information.ldlt().solve(gradient).cwiseMax(-2.0).cwiseMin(2.0);
 }
 
+std::size_t parameters_of(NoiseMask mask) {
+  return static_cast<std::size_t>(std::popcount(mask)) + (mask >> correlated_noise & 1u);
+}
+
+std::vector<NoiseMask> masks_by_parameters() {
+  std::vector<NoiseMask> masks((1u << noise_kinds) - 1);
+  std::iota(masks.begin(), masks.end(), 1u);
+  std::stable_sort(masks.begin(), masks.end(),
+                   [](NoiseMask a, NoiseMask b) { return parameters_of(a) < parameters_of(b); });
+  return masks;
+}
+
+/// cost_of() a model that meets every observation.
+double cost_of_meeting(const std::vector<ObservedVariance>& observed) {
+  double sum = 0;
+  for (const ObservedVariance& one : observed) {
+    sum += one.degrees_of_freedom / 2 * (std::log(one.variance) + 1);
+  }
+  return sum;
+}
+
 double score_of(const NoiseModel& model, double penalty) {
   return 2 * model.minus_log_likelihood + penalty * static_cast<double>(model.parameters());
 }
@@ -142,9 +164,7 @@ double NoiseModel::variance_at(double averaged) const {
   return variance;
 }
 
-std::size_t NoiseModel::parameters() const {
-  return static_cast<std::size_t>(std::popcount(mask)) + (mask >> correlated_noise & 1u);
-}
+std::size_t NoiseModel::parameters() const { return parameters_of(mask); }
 
 NoiseModel fit_noise(const std::vector<ObservedVariance>& observed, NoiseMask mask,
                      double correlation_time, const Amounts& held) {
@@ -176,10 +196,14 @@ NoiseModel fit_noise(const std::vector<ObservedVariance>& observed, NoiseMask ma
 
 NoiseModel choose_noise(const std::vector<ObservedVariance>& observed, double longest_correlation,
                         double penalty) {
+  // No model does better than one that meets every observation, so one whose parameters alone cost
+  // more than the best so far need not be fitted: most dwells end after the models of one kind.
+  const double best_imaginable = 2 * cost_of_meeting(observed);
   NoiseModel best;
   double least = std::numeric_limits<double>::infinity();
-  for (NoiseMask mask = 1; mask < 1u << noise_kinds; ++mask) {
+  for (const NoiseMask mask : masks_by_parameters()) {
     const bool correlated = (mask >> correlated_noise & 1u) != 0;
+    if (best_imaginable + penalty * static_cast<double>(parameters_of(mask)) >= least) break;
     const NoiseModel model = correlated ? fit_correlated(observed, mask, longest_correlation)
                                         : fit_noise(observed, mask, 1);
     // At the longest correlation the fit reaches for a random walk.

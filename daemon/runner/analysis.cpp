@@ -35,22 +35,28 @@ Moments moments(std::span<const double> values) {
   return {mean, values.size() > 1 ? std::sqrt(squares / (n - 1)) : 0};
 }
 
-void put(Sha256& hash, std::int64_t value) {
-  std::array<std::uint8_t, 8> bytes{};
-  for (std::size_t i = 0; i < 8; ++i) bytes[i] = static_cast<std::uint8_t>(value >> (8 * i));
-  hash.add(bytes);
+/// Appends the `bytes` lowest bytes of a number, lowest first.
+void put(std::vector<std::uint8_t>& to, std::uint64_t value, std::size_t bytes) {
+  for (std::size_t i = 0; i < bytes; ++i) to.push_back(static_cast<std::uint8_t>(value >> 8 * i));
+}
+
+void put(std::vector<std::uint8_t>& to, std::int16_t value) {
+  put(to, static_cast<std::uint16_t>(value), 2);
 }
 
 /// Over counter, counts and temperature of every sample, dwell after dwell.
 std::string hash_of(std::span<const Dwell> dwells) {
   Sha256 hash;
+  std::vector<std::uint8_t> bytes;
   for (const Dwell& dwell : dwells) {
-    put(hash, static_cast<std::int64_t>(dwell.samples.size()));
+    bytes.clear();
+    put(bytes, dwell.samples.size(), 8);
     for (const BoardSample& sample : dwell.samples) {
-      put(hash, sample.counter);
-      for (const std::int16_t lsb : sample.gyro_lsb) put(hash, lsb);
-      put(hash, sample.temperature_raw.value_or(INT16_MIN));
+      put(bytes, sample.counter, 4);
+      for (const std::int16_t lsb : sample.gyro_lsb) put(bytes, lsb);
+      put(bytes, sample.temperature_raw.value_or(INT16_MIN));
     }
+    hash.add(bytes);
   }
   return hash.finish();
 }
