@@ -55,17 +55,23 @@ DwellRow dwell_from(const Statement& row) {
   return dwell;
 }
 
-BoardSample sample_from(const Statement& row) {
+/// Columns of select_samples. A counter that stands in the row itself follows a restart.
+BoardSample sample_from(const Statement& row, std::int64_t counter_first) {
   BoardSample sample;
   sample.t_ns = row.integer(0);
-  sample.counter = static_cast<std::uint32_t>(row.integer(1));
+  sample.counter =
+      static_cast<std::uint32_t>(row.is_null(2) ? counter_first + row.integer(1) : row.integer(2));
   for (int axis = 0; axis < 3; ++axis) {
     sample.gyro_lsb[static_cast<std::size_t>(axis)] =
-        static_cast<std::int16_t>(row.integer(2 + axis));
+        static_cast<std::int16_t>(row.integer(3 + axis));
   }
-  if (!row.is_null(5)) sample.temperature_raw = static_cast<std::int16_t>(row.integer(5));
+  if (!row.is_null(6)) sample.temperature_raw = static_cast<std::int16_t>(row.integer(6));
   return sample;
 }
+
+constexpr char select_samples[] =
+    "SELECT t_ns, seq, counter, gyro_x_lsb, gyro_y_lsb, gyro_z_lsb, temperature_raw FROM sample "
+    "WHERE dwell_id = ? ORDER BY seq";
 
 constexpr char select_campaign[] =
     "SELECT id, name, config_toml, software_version, utc_start_ns, simulated, time_scale, "
@@ -158,12 +164,19 @@ Result<std::vector<AcceptedDwell>> Store::accepted_dwells(CampaignId campaign,
 
 Result<std::vector<BoardSample>> Store::samples(DwellId dwell) const {
   std::vector<BoardSample> samples;
+  std::int64_t counter_first = 0;
+  const auto dwell_read = for_each_row(
+      impl_->database, "SELECT samples, coalesce(counter_first, 0) FROM dwell WHERE id = ?",
+      [&](const Statement& row) {
+        samples.reserve(static_cast<std::size_t>(row.integer(0)));
+        counter_first = row.integer(1);
+      },
+      key(dwell));
+  if (!dwell_read) return tl::unexpected(dwell_read.error());
   const auto read = for_each_row(
-      impl_->database,
-      "SELECT t_ns, coalesce(counter, counter_first + seq), gyro_x_lsb, gyro_y_lsb, gyro_z_lsb, "
-      "temperature_raw FROM dwell JOIN sample ON dwell_id = dwell.id WHERE dwell.id = ? "
-      "ORDER BY seq",
-      [&](const Statement& row) { samples.push_back(sample_from(row)); }, key(dwell));
+      impl_->database, select_samples,
+      [&](const Statement& row) { samples.push_back(sample_from(row, counter_first)); },
+      key(dwell));
   if (!read) return tl::unexpected(read.error());
   return samples;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compensation/drift/allan_confidence.h"
+#include "compensation/values/records.h"
 
 namespace gyrocal {
 namespace {
@@ -75,8 +76,7 @@ double slope_at(std::span<const AllanPoint> points, std::size_t i) {
   return 2 * std::log(after.deviation / before.deviation) / std::log(after.tau_s / before.tau_s);
 }
 
-void add_confidence(RatePieces pieces, std::vector<AllanPoint>& points) {
-  constexpr double tail = 0.025;
+void add_degrees_of_freedom(RatePieces pieces, std::vector<AllanPoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     AllanPoint& point = points[i];
     const RateNoise noise = noise_of_slope(slope_at(points, i));
@@ -86,6 +86,13 @@ void add_confidence(RatePieces pieces, std::vector<AllanPoint>& points) {
       freedom += allan_degrees_of_freedom(piece.size(), point.averaged, noise);
     }
     point.degrees_of_freedom = freedom;
+  }
+}
+
+void add_intervals(std::vector<AllanPoint>& points) {
+  constexpr double tail = 0.025;
+  for (AllanPoint& point : points) {
+    const double freedom = point.degrees_of_freedom;
     point.deviation_low =
         point.deviation * std::sqrt(freedom / chi_squared_quantile(freedom, 1 - tail));
     point.deviation_high =
@@ -111,8 +118,8 @@ std::size_t longest_of(RatePieces pieces) {
   return longest;
 }
 
-Result<std::vector<AllanPoint>> overlapping_allan(RatePieces pieces, double sample_rate_hz,
-                                                  std::span<const std::size_t> factors) {
+Result<std::vector<AllanPoint>> allan_without_intervals(RatePieces pieces, double sample_rate_hz,
+                                                        std::span<const std::size_t> factors) {
   if (const auto good = check(pieces, sample_rate_hz, factors); !good) {
     return tl::unexpected(good.error());
   }
@@ -125,11 +132,18 @@ Result<std::vector<AllanPoint>> overlapping_allan(RatePieces pieces, double samp
     points.push_back({.averaged = m,
                       .tau_s = static_cast<double>(m) / sample_rate_hz,
                       .deviation = std::sqrt(allan_variance(sums, m)),
-                      .deviation_low = 0,
-                      .deviation_high = 0,
+                      .deviation_low = missing,
+                      .deviation_high = missing,
                       .degrees_of_freedom = 0});
   }
-  add_confidence(pieces, points);
+  add_degrees_of_freedom(pieces, points);
+  return points;
+}
+
+Result<std::vector<AllanPoint>> overlapping_allan(RatePieces pieces, double sample_rate_hz,
+                                                  std::span<const std::size_t> factors) {
+  auto points = allan_without_intervals(pieces, sample_rate_hz, factors);
+  if (points) add_intervals(*points);
   return points;
 }
 

@@ -36,7 +36,11 @@ using RatePieces = std::span<const std::span<const double>>;
 [[nodiscard]] Result<std::vector<AllanPoint>> overlapping_allan(
     RatePieces pieces, double sample_rate_hz, std::span<const std::size_t> factors);
 
-/// The same for one piece.
+/// The same without the confidence intervals, which cost more than the deviations: missing.
+[[nodiscard]] Result<std::vector<AllanPoint>> allan_without_intervals(
+    RatePieces pieces, double sample_rate_hz, std::span<const std::size_t> factors);
+
+/// The same as overlapping_allan for one piece.
 [[nodiscard]] Result<std::vector<AllanPoint>> overlapping_allan(
     std::span<const double> rate, double sample_rate_hz, std::span<const std::size_t> factors);
 

@@ -83,7 +83,7 @@ Result<Fitted> fitted_to(RatePieces pieces, double sample_rate_hz) {
     return fail(Errc::too_few_points, fmt::format("the noise of {} samples", longest),
                 fmt::format("expected at least {}, better some thousand", fewest_samples));
   }
-  const auto points = overlapping_allan(pieces, sample_rate_hz, octaves(longest));
+  const auto points = allan_without_intervals(pieces, sample_rate_hz, octaves(longest));
   if (!points) return tl::unexpected(points.error());
   Fitted fitted;
   AllanNoise& noise = fitted.noise;

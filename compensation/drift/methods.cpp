@@ -31,12 +31,6 @@ Result<DriftCurve> grey_curve(const DriftSeries& series, const Fit& fit) {
   return DriftCurve{series.axis, std::move(*model), translation};
 }
 
-Result<DriftCurve> temperature_polynomial(const DriftSeries& series, int degree) {
-  auto fitted = fit_polynomial(series.temperature_c(), series.drift_dps, degree, series.weight);
-  if (!fitted) return tl::unexpected(std::move(fitted.error()));
-  return DriftCurve{series.axis, TemperaturePolynomial{std::move(*fitted)}};
-}
-
 }  // namespace
 
 const std::vector<Method>& all_methods() {
@@ -77,6 +71,14 @@ Eigen::VectorXd DriftSeries::temperature_c() const {
   return temperature;
 }
 
+std::optional<PolynomialDesign> polynomial_design(Method method, const DriftSeries& series) {
+  if (method == Method::least_squares)
+    return PolynomialDesign{series.index(), {}, least_squares_degree};
+  if (method < Method::polynomial_1 || method > Method::polynomial_5) return std::nullopt;
+  const int degree = static_cast<int>(method) - static_cast<int>(Method::polynomial_1) + 1;
+  return PolynomialDesign{series.temperature_c(), series.weight, degree};
+}
+
 Result<DriftCurve> fit_method(Method method, const DriftSeries& series,
                               const MethodSettings& settings) {
   switch (method) {
@@ -87,18 +89,20 @@ Result<DriftCurve> fit_method(Method method, const DriftSeries& series,
       return grey_curve(series, [&](const auto& index, const auto& drift) {
         return fit_improved_gm11(index, drift, settings.improved_degree);
       });
-    case Method::least_squares: {
-      auto fitted = fit_polynomial(series.index(), series.drift_dps, least_squares_degree);
-      if (!fitted) return tl::unexpected(std::move(fitted.error()));
-      return DriftCurve{series.axis, IndexPolynomial{std::move(*fitted)}};
-    }
+    case Method::least_squares:
     case Method::polynomial_1:
     case Method::polynomial_2:
     case Method::polynomial_3:
     case Method::polynomial_4:
-    case Method::polynomial_5:
-      return temperature_polynomial(
-          series, static_cast<int>(method) - static_cast<int>(Method::polynomial_1) + 1);
+    case Method::polynomial_5: {
+      const PolynomialDesign design = *polynomial_design(method, series);
+      auto fitted = fit_polynomial(design.x, series.drift_dps, design.degree, design.weight);
+      if (!fitted) return tl::unexpected(std::move(fitted.error()));
+      if (method == Method::least_squares) {
+        return DriftCurve{series.axis, IndexPolynomial{std::move(*fitted)}};
+      }
+      return DriftCurve{series.axis, TemperaturePolynomial{std::move(*fitted)}};
+    }
     case Method::smoothing_spline: {
       auto fitted = fit_smoothing_spline(series.temperature_c(), series.drift_dps, series.weight,
                                          settings.spline_lambda);

@@ -43,6 +43,16 @@ struct MethodSettings {
   std::optional<double> spline_lambda;          ///< chosen by cross-validation when absent
 };
 
+/// What a method that is least squares in a polynomial fits to.
+struct PolynomialDesign {
+  Eigen::VectorXd x;       ///< index or temperature
+  Eigen::VectorXd weight;  ///< empty or 1 / variance
+  int degree;
+};
+/// Absent for the grey methods and the spline.
+[[nodiscard]] std::optional<PolynomialDesign> polynomial_design(Method method,
+                                                                const DriftSeries& series);
+
 /// Fits one method. A grey method of a series with values <= 0 is fitted to the translated series
 /// and the translation stored (grey/translation.h).
 [[nodiscard]] Result<DriftCurve> fit_method(Method method, const DriftSeries& series,

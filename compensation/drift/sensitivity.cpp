@@ -22,6 +22,9 @@ Result<Eigen::VectorXd> fitted(Method method, const DriftSeries& series,
 
 Result<Eigen::MatrixXd> sensitivity(Method method, const DriftSeries& series,
                                     const MethodSettings& settings) {
+  if (const auto design = polynomial_design(method, series)) {
+    return polynomial_hat_matrix(design->x, design->degree, design->weight);
+  }
   const Eigen::Index n = series.drift_dps.size();
   const double step = 1e-4 * std::max(series.drift_dps.cwiseAbs().maxCoeff(), 1e-6);
   Eigen::MatrixXd jacobian(n, n);

@@ -5,7 +5,7 @@
 namespace gyrocal {
 
 /// d fitted(i) / d measured(j), n x n: the hat matrix of a linear method, its linearisation for a
-/// grey one (central differences, which are exact for a linear method). A spline's lambda and a
+/// grey one (by central differences, as for a spline). A spline's lambda and a
 /// grey translation count as given.
 [[nodiscard]] Result<Eigen::MatrixXd> sensitivity(Method method, const DriftSeries& series,
                                                   const MethodSettings& settings);

@@ -65,100 +65,138 @@ Problem problem(const Eigen::Ref<const VectorXd>& x, const Eigen::Ref<const Vect
   return p;
 }
 
-/// L D L' in place: the diagonal becomes D, the bands those of the unit lower L.
-void factorise(Pentadiagonal& a) {
-  const Index m = a.diagonal.size();
-  for (Index i = 0; i < m; ++i) {
-    if (i >= 1) a.diagonal(i) -= a.below1(i - 1) * a.below1(i - 1) * a.diagonal(i - 1);
-    if (i >= 2) a.diagonal(i) -= a.below2(i - 2) * a.below2(i - 2) * a.diagonal(i - 2);
-    if (i + 1 < m) {
-      if (i >= 1) a.below1(i) -= a.below1(i - 1) * a.below2(i - 1) * a.diagonal(i - 1);
-      a.below1(i) /= a.diagonal(i);
+/// Splines of one problem for any lambda. Its memory serves every lambda: choosing one takes some
+/// sixty splines, and holding every point out in turn takes that for each.
+class Smoother {
+ public:
+  explicit Smoother(Problem problem) : p_(std::move(problem)) {
+    const Index m = p_.differences.size();
+    for (Pentadiagonal* bands : {&system_, &inverse_}) {
+      *bands = {VectorXd::Zero(m), VectorXd::Zero(m), VectorXd::Zero(m)};
     }
-    if (i + 2 < m) a.below2(i) /= a.diagonal(i);
+    inner_.resize(m);
+    values_.resize(p_.y.size());
   }
-}
 
-VectorXd solved(const Pentadiagonal& ldl, VectorXd right) {
-  const Index m = right.size();
+  [[nodiscard]] Spline spline(double lambda) {
+    smooth(lambda);
+    Spline spline;
+    spline.lambda = lambda;
+    spline.values = values_;
+    spline.second = VectorXd::Zero(p_.y.size());
+    spline.second.segment(1, inner_.size()) = inner_;
+    spline.trace = trace_;
+    return spline;
+  }
+
+  [[nodiscard]] double chosen_lambda();
+
+ private:
+  void smooth(double lambda);
+  void factorise();
+  void solve();
+  void invert();
+  [[nodiscard]] double generalized_cross_validation(double log_lambda);
+
+  Problem p_;
+  Pentadiagonal system_;   ///< gram + lambda roughness, then its L D L'
+  Pentadiagonal inverse_;  ///< the five central diagonals of the system's inverse
+  VectorXd inner_;         ///< second derivatives at the inner points
+  VectorXd values_;        ///< of the spline at the points
+  double trace_ = 0;       ///< of the smoother y -> values
+};
+
+/// L D L' in place: the diagonal becomes 1/D, the bands those of the unit lower L.
+void Smoother::factorise() {
+  Pentadiagonal& a = system_;
+  const Index m = a.diagonal.size();
+  double scaled1 = 0;  // below1(i - 1) D(i - 1)
+  double scaled2 = 0;  // below2(i - 1) D(i - 1)
+  double before2 = 0;  // below2(i - 2) D(i - 2)
   for (Index i = 0; i < m; ++i) {
-    if (i >= 1) right(i) -= ldl.below1(i - 1) * right(i - 1);
-    if (i >= 2) right(i) -= ldl.below2(i - 2) * right(i - 2);
+    double d = a.diagonal(i);
+    double next1 = a.below1(i);
+    if (i >= 1) {
+      d -= a.below1(i - 1) * scaled1;
+      next1 -= a.below1(i - 1) * scaled2;
+    }
+    if (i >= 2) d -= a.below2(i - 2) * before2;
+    before2 = scaled2;
+    scaled1 = next1;
+    scaled2 = a.below2(i);
+    a.diagonal(i) = 1 / d;
+    a.below1(i) = scaled1 * a.diagonal(i);
+    a.below2(i) = scaled2 * a.diagonal(i);
   }
-  right.array() /= ldl.diagonal.array();
-  for (Index i = m; i-- > 0;) {
-    if (i + 1 < m) right(i) -= ldl.below1(i) * right(i + 1);
-    if (i + 2 < m) right(i) -= ldl.below2(i) * right(i + 2);
-  }
-  return right;
 }
 
-/// The five central diagonals of the inverse, from the last row up.
-Pentadiagonal central_inverse(const Pentadiagonal& ldl) {
-  const Index m = ldl.diagonal.size();
-  Pentadiagonal b{VectorXd::Zero(m), VectorXd::Zero(m), VectorXd::Zero(m)};
+void Smoother::solve() {
+  const Index m = inner_.size();
+  inner_ = p_.differences;
+  for (Index i = 0; i < m; ++i) {
+    if (i >= 1) inner_(i) -= system_.below1(i - 1) * inner_(i - 1);
+    if (i >= 2) inner_(i) -= system_.below2(i - 2) * inner_(i - 2);
+  }
+  inner_.array() *= system_.diagonal.array();
   for (Index i = m; i-- > 0;) {
-    const double u = i + 1 < m ? ldl.below1(i) : 0;
-    const double v = i + 2 < m ? ldl.below2(i) : 0;
+    if (i + 1 < m) inner_(i) -= system_.below1(i) * inner_(i + 1);
+    if (i + 2 < m) inner_(i) -= system_.below2(i) * inner_(i + 2);
+  }
+}
+
+/// From the last row up.
+void Smoother::invert() {
+  Pentadiagonal& b = inverse_;
+  const Index m = b.diagonal.size();
+  for (Index i = m; i-- > 0;) {
+    const double u = i + 1 < m ? system_.below1(i) : 0;
+    const double v = i + 2 < m ? system_.below2(i) : 0;
     const double d1 = i + 1 < m ? b.diagonal(i + 1) : 0;
     const double d2 = i + 2 < m ? b.diagonal(i + 2) : 0;
     const double e1 = i + 2 < m ? b.below1(i + 1) : 0;
     if (i + 1 < m) b.below1(i) = -u * d1 - v * e1;
     if (i + 2 < m) b.below2(i) = -u * e1 - v * d2;
-    b.diagonal(i) = 1 / ldl.diagonal(i) - u * b.below1(i) - v * b.below2(i);
+    b.diagonal(i) = system_.diagonal(i) - u * b.below1(i) - v * b.below2(i);
   }
-  return b;
 }
 
-/// tr(A) of the smoother y -> values, from n - tr(A) = lambda tr(B Q' W^-1 Q), where B is the
-/// inverse of the system.
-double smoother_trace(const Problem& p, const Pentadiagonal& ldl, double lambda) {
-  const Pentadiagonal b = central_inverse(ldl);
-  const double removed = b.diagonal.dot(p.roughness.diagonal) +
-                         2 * b.below1.dot(p.roughness.below1) +
-                         2 * b.below2.dot(p.roughness.below2);
-  return static_cast<double>(p.y.size()) - lambda * removed;
-}
-
-Spline smoothed(const Problem& p, double lambda) {
-  Pentadiagonal system{p.gram.diagonal + lambda * p.roughness.diagonal,
-                       p.gram.below1 + lambda * p.roughness.below1,
-                       p.gram.below2 + lambda * p.roughness.below2};
-  factorise(system);
-  const VectorXd inner = solved(system, p.differences);
-  Spline spline;
-  spline.lambda = lambda;
-  spline.values = p.y;
-  for (Index i = 0; i < inner.size(); ++i) {
+void Smoother::smooth(double lambda) {
+  system_.diagonal = p_.gram.diagonal + lambda * p_.roughness.diagonal;
+  system_.below1 = p_.gram.below1 + lambda * p_.roughness.below1;
+  system_.below2 = p_.gram.below2 + lambda * p_.roughness.below2;
+  factorise();
+  solve();
+  values_ = p_.y;
+  for (Index i = 0; i < inner_.size(); ++i) {
     for (Index j = 0; j < 3; ++j) {
-      spline.values(i + j) -= lambda * p.inverse_weights(i + j) * p.q(i, j) * inner(i);
+      values_(i + j) -= lambda * p_.inverse_weights(i + j) * p_.q(i, j) * inner_(i);
     }
   }
-  spline.second = VectorXd::Zero(p.y.size());
-  spline.second.segment(1, inner.size()) = inner;
-  spline.trace = smoother_trace(p, system, lambda);
-  return spline;
+  // n - trace = lambda tr(B Q' W^-1 Q), where B is the inverse of the system.
+  invert();
+  const double removed = inverse_.diagonal.dot(p_.roughness.diagonal) +
+                         2 * inverse_.below1.dot(p_.roughness.below1) +
+                         2 * inverse_.below2.dot(p_.roughness.below2);
+  trace_ = static_cast<double>(p_.y.size()) - lambda * removed;
 }
 
 /// With the trace weighed 1.4 (Kim and Gu 2004): on tens of points the plain score likes to
 /// interpolate.
-double generalized_cross_validation(const Problem& p, double log_lambda) {
-  const Spline spline = smoothed(p, std::exp(log_lambda));
-  const double squares = ((spline.values - p.y).array().square() / p.inverse_weights.array()).sum();
-  const double left = 1 - 1.4 * spline.trace / static_cast<double>(p.y.size());
+double Smoother::generalized_cross_validation(double log_lambda) {
+  smooth(std::exp(log_lambda));
+  const double squares = ((values_ - p_.y).array().square() / p_.inverse_weights.array()).sum();
+  const double left = 1 - 1.4 * trace_ / static_cast<double>(p_.y.size());
   if (left <= 0) return std::numeric_limits<double>::infinity();
   return squares / (left * left);
 }
 
 /// From a spline of nearly n parameters to a straight line, in the data's own scale.
-double chosen_lambda(const Problem& p) {
+double Smoother::chosen_lambda() {
   const double natural =
-      std::log(p.gram.diagonal.sum() / p.roughness.diagonal.sum());  // both parts weigh the same
-  constexpr double reach = 18;                                       // e^18 either way
+      std::log(p_.gram.diagonal.sum() / p_.roughness.diagonal.sum());  // both parts weigh the same
+  constexpr double reach = 18;                                         // e^18 either way
   constexpr int cells = 36;
-  const auto score = [&](double offset) {
-    return generalized_cross_validation(p, natural + offset);
-  };
+  const auto score = [&](double offset) { return generalized_cross_validation(natural + offset); };
   double best = -reach;
   double best_score = score(best);
   const double cell = 2 * reach / cells;
@@ -209,8 +247,8 @@ Result<Spline> fit_smoothing_spline(const Eigen::Ref<const VectorXd>& x,
   if (!x.allFinite() || !y.allFinite() || !weights.allFinite()) {
     return fail(Errc::not_finite, "a point to smooth is NaN or infinite", "remove or repeat it");
   }
-  const Problem p = problem(x, y, weights);
-  Spline spline = smoothed(p, lambda ? *lambda : chosen_lambda(p));
+  Smoother smoother(problem(x, y, weights));
+  Spline spline = smoother.spline(lambda ? *lambda : smoother.chosen_lambda());
   spline.knots = x;
   return spline;
 }

@@ -26,4 +26,9 @@ struct Polynomial {
                                                 const Eigen::Ref<const Eigen::VectorXd>& y,
                                                 int degree, const Eigen::VectorXd& weights = {});
 
+/// d fitted(i) / d y(j) of that fit, n x n: W^-1/2 Q Q' W^1/2 with Q from the QR of the weighted
+/// powers. The same errors.
+[[nodiscard]] Result<Eigen::MatrixXd> polynomial_hat_matrix(
+    const Eigen::Ref<const Eigen::VectorXd>& x, int degree, const Eigen::VectorXd& weights = {});
+
 }  // namespace gyrocal

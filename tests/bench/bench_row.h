@@ -40,6 +40,11 @@ using Signals = std::map<std::string, std::vector<double>>;
 [[nodiscard]] std::vector<Row> fit_rows(const Signals& signals,
                                         const std::optional<PythonPeer>& python);
 
+/// A campaign from SQLite to stored models, whole processes compared.
+[[nodiscard]] std::vector<Row> analysis_rows(const std::string& this_program);
+/// What `this_program --analyse FILE` does. @return its exit code.
+[[nodiscard]] int analyse_file(const std::string& path);
+
 /// What the peer took for a job, and "differs by ...", if there is a peer.
 [[nodiscard]] std::optional<double> peer_seconds(const std::optional<PythonPeer>& python,
                                                  const std::string& name);

@@ -50,11 +50,13 @@ std::string difference_to(const std::optional<PythonPeer>& python, const std::st
 
 }  // namespace gyrocal::bench
 
-int main() {
+int main(int count, char** arguments) {
   using namespace gyrocal::bench;
+  if (count == 3 && std::string_view(arguments[1]) == "--analyse")
+    return analyse_file(arguments[2]);
   Signals signals = wavelet_signals();
   signals.merge(fit_signals());
-  fmt::print("{}; {} loops; CPU time of one thread, best of many; peers: ", processor(),
+  fmt::print("{}; {} loops; CPU time, best of many; peers: ", processor(),
              widest_instruction_set());
   std::fflush(stdout);
   const auto python = run_python_peer(signals);
@@ -65,5 +67,6 @@ int main() {
              "ratio", "target", "accuracy");
   for (const Row& row : wavelet_rows(signals, python)) print(row);
   for (const Row& row : fit_rows(signals, python)) print(row);
+  for (const Row& row : analysis_rows(arguments[0])) print(row);
   return 0;
 }

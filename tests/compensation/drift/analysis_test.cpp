@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <random>
 
 #include "compensation/drift/held_out.h"
@@ -85,6 +86,32 @@ TEST_CASE("leave-one-out of the linear methods is that of their hat matrices", "
     const auto& model = model_named(*analysis, "polynomial_" + std::to_string(degree));
     CHECK(model.loocv_rmse_dps == Approx(loocv_by_hat_matrix(powers(t, degree), y)).epsilon(1e-9));
     CHECK(model.effective_parameters == Approx(degree + 1).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("held-out predictions of a polynomial are those of fits without the block", "[drift]") {
+  const auto y = vector_of(paper_table_1().zero_drift_dps);
+  const auto t = vector_of(paper_table_1().temperature_c);
+  const auto axis = index_axis(paper_table_1().temperature_c).value();
+  DriftSeries series{axis, std::vector<std::size_t>(25), y, {}};
+  std::iota(series.position.begin(), series.position.end(), std::size_t{0});
+  const Eigen::VectorXd uneven = Eigen::VectorXd::LinSpaced(25, 1, 9);
+  for (const Eigen::VectorXd& weight : {Eigen::VectorXd(), uneven}) {
+    series.weight = weight;
+    for (const int neighbours : {0, 1}) {
+      const auto predictions =
+          held_out_predictions(Method::polynomial_3, series, {}, std::size_t(neighbours)).value();
+      for (int i = 0; i < 25; ++i) {
+        std::vector<int> kept;
+        for (int j = 0; j < 25; ++j) {
+          if (std::abs(j - i) > neighbours) kept.push_back(j);
+        }
+        const Eigen::VectorXd kept_weight =
+            weight.size() == 0 ? weight : Eigen::VectorXd(weight(kept));
+        const auto refitted = fit_polynomial(t(kept), y(kept), 3, kept_weight).value();
+        CHECK(predictions[std::size_t(i)] == Approx(value_at(refitted, t(i))).epsilon(1e-11));
+      }
+    }
   }
 }
 
