@@ -109,6 +109,7 @@ struct ModelPoint {
   double temperature_c = 0;
   double measured_dps = 0;
   double fitted_dps = 0;
+  double band_dps = missing;  ///< half width of the 95 % prediction band
 };
 
 struct ModelInsert {
@@ -121,8 +122,11 @@ struct ModelInsert {
   double mae_dps = 0;
   double max_dps = 0;
   double loocv_rmse_dps = missing;
+  double block_rmse_dps = missing;        ///< each setpoint and its neighbours held out
+  double effective_parameters = missing;  ///< trace of d fitted / d measured
   bool recommended = false;
   std::string reason;           ///< why recommended, or empty
+  std::string warnings;         ///< sentences, one a line
   std::string dwells_sha256;    ///< over the raw samples of the dwells used
   std::vector<DwellId> dwells;  ///< those used
   std::vector<ModelPoint> points;

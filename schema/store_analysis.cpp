@@ -37,38 +37,59 @@ Result<void> add_drifts(const Database& database, std::int64_t analysis,
   return {};
 }
 
-Result<void> add_model_rows(const Database& database, std::int64_t model, const ModelInsert& from) {
+/// The statements of a model's rows, prepared once for all models.
+struct ModelStatements {
+  Statement model;
+  Statement dwell;
+  Statement point;
+};
+
+Result<ModelStatements> prepare_model_statements(const Database& database) {
+  auto model = database.prepare(
+      "INSERT INTO model (analysis_id, board_id, axis, method, parameters_json, rmse_dps, "
+      "rmse_n_minus_1_dps, mae_dps, max_dps, loocv_rmse_dps, block_rmse_dps, effective_parameters, "
+      "recommended, reason, warnings, dwells_sha256) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  if (!model) return tl::unexpected(model.error());
   auto dwell =
       database.prepare("INSERT INTO model_dwell (model_id, position, dwell_id) VALUES (?, ?, ?)");
   if (!dwell) return tl::unexpected(dwell.error());
+  auto point = database.prepare(
+      "INSERT INTO model_point (model_id, position, temperature_c, measured_dps, fitted_dps, "
+      "band_dps) VALUES (?, ?, ?, ?, ?, ?)");
+  if (!point) return tl::unexpected(point.error());
+  return ModelStatements{std::move(*model), std::move(*dwell), std::move(*point)};
+}
+
+Result<void> add_model_rows(ModelStatements& statements, std::int64_t model,
+                            const ModelInsert& from) {
   for (std::size_t i = 0; i < from.dwells.size(); ++i) {
-    auto done = dwell->run(model, static_cast<std::int64_t>(i), key(from.dwells[i]));
+    auto done = statements.dwell.run(model, static_cast<std::int64_t>(i), key(from.dwells[i]));
     if (!done) return done;
   }
-  auto point = database.prepare(
-      "INSERT INTO model_point (model_id, position, temperature_c, measured_dps, fitted_dps) "
-      "VALUES (?, ?, ?, ?, ?)");
-  if (!point) return tl::unexpected(point.error());
   for (std::size_t i = 0; i < from.points.size(); ++i) {
     const ModelPoint& at = from.points[i];
-    auto done = point->run(model, static_cast<std::int64_t>(i), at.temperature_c, at.measured_dps,
-                           at.fitted_dps);
+    auto done = statements.point.run(model, static_cast<std::int64_t>(i), at.temperature_c,
+                                     at.measured_dps, at.fitted_dps, at.band_dps);
     if (!done) return done;
   }
   return {};
 }
 
-Result<void> add_model(const Database& database, std::int64_t analysis, const ModelInsert& model) {
-  auto done =
-      run(database,
-          "INSERT INTO model (analysis_id, board_id, axis, method, parameters_json, "
-          "rmse_dps, rmse_n_minus_1_dps, mae_dps, max_dps, loocv_rmse_dps, recommended, "
-          "reason, dwells_sha256) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-          analysis, key(model.board), name_of(model.axis), model.method, model.parameters_json,
-          model.rmse_dps, model.rmse_n_minus_1_dps, model.mae_dps, model.max_dps,
-          model.loocv_rmse_dps, model.recommended, model.reason, model.dwells_sha256);
-  if (!done) return done;
-  return add_model_rows(database, database.last_insert_id(), model);
+Result<void> add_models(const Database& database, std::int64_t analysis,
+                        std::span<const ModelInsert> models) {
+  auto statements = prepare_model_statements(database);
+  if (!statements) return tl::unexpected(statements.error());
+  for (const ModelInsert& model : models) {
+    auto done = statements->model.run(
+        analysis, key(model.board), name_of(model.axis), model.method, model.parameters_json,
+        model.rmse_dps, model.rmse_n_minus_1_dps, model.mae_dps, model.max_dps,
+        model.loocv_rmse_dps, model.block_rmse_dps, model.effective_parameters, model.recommended,
+        model.reason, model.warnings, model.dwells_sha256);
+    if (done) done = add_model_rows(*statements, database.last_insert_id(), model);
+    if (!done) return done;
+  }
+  return {};
 }
 
 }  // namespace
@@ -81,9 +102,7 @@ Result<void> Store::add_analysis(CampaignId campaign, const AnalysisSettings& se
                         const auto id = renew_analysis(impl_->database, campaign, settings);
                         if (!id) return tl::unexpected(id.error());
                         auto done = add_drifts(impl_->database, *id, drifts);
-                        for (const ModelInsert& model : models) {
-                          if (done) done = add_model(impl_->database, *id, model);
-                        }
+                        if (done) done = add_models(impl_->database, *id, models);
                         return done;
                       });
 }

@@ -69,6 +69,27 @@ BoardSample sample_from(const Statement& row, std::int64_t counter_first) {
   return sample;
 }
 
+/// Columns as Store::models() selects them.
+ModelInsert model_from(const Statement& row, BoardId board, Axis axis) {
+  ModelInsert model;
+  model.board = board;
+  model.axis = axis;
+  model.method = row.text(1);
+  model.parameters_json = row.text(2);
+  model.rmse_dps = row.real(3);
+  model.rmse_n_minus_1_dps = row.real(4);
+  model.mae_dps = row.real(5);
+  model.max_dps = row.real(6);
+  model.loocv_rmse_dps = row.real(7);
+  model.block_rmse_dps = row.real(8);
+  model.effective_parameters = row.real(9);
+  model.recommended = row.integer(10) != 0;
+  model.reason = row.text(11);
+  model.warnings = row.text(12);
+  model.dwells_sha256 = row.text(13);
+  return model;
+}
+
 constexpr char select_samples[] =
     "SELECT t_ns, seq, counter, gyro_x_lsb, gyro_y_lsb, gyro_z_lsb, temperature_raw FROM sample "
     "WHERE dwell_id = ? ORDER BY seq";
@@ -219,26 +240,15 @@ Result<std::vector<ModelInsert>> Store::models(CampaignId campaign, BoardId boar
   std::vector<std::int64_t> ids;
   auto read = for_each_row(
       impl_->database,
-      fmt::format("SELECT id, method, parameters_json, rmse_dps, rmse_n_minus_1_dps, mae_dps, "
-                  "max_dps, loocv_rmse_dps, recommended, reason, dwells_sha256 FROM model "
-                  "WHERE analysis_id = {} AND board_id = ? AND axis = ? ORDER BY id",
-                  latest_analysis),
+      fmt::format(
+          "SELECT id, method, parameters_json, rmse_dps, rmse_n_minus_1_dps, mae_dps, "
+          "max_dps, loocv_rmse_dps, block_rmse_dps, effective_parameters, recommended, reason, "
+          "warnings, dwells_sha256 FROM model "
+          "WHERE analysis_id = {} AND board_id = ? AND axis = ? ORDER BY id",
+          latest_analysis),
       [&](const Statement& row) {
         ids.push_back(row.integer(0));
-        models.push_back({board,
-                          axis,
-                          row.text(1),
-                          row.text(2),
-                          row.real(3),
-                          row.real(4),
-                          row.real(5),
-                          row.real(6),
-                          row.real(7),
-                          row.integer(8) != 0,
-                          row.text(9),
-                          row.text(10),
-                          {},
-                          {}});
+        models.push_back(model_from(row, board, axis));
       },
       key(campaign), key(board), name_of(axis));
   for (std::size_t i = 0; i < ids.size() && read; ++i) {
@@ -248,10 +258,11 @@ Result<std::vector<ModelInsert>> Store::models(CampaignId campaign, BoardId boar
     if (!read) break;
     read = for_each_row(
         impl_->database,
-        "SELECT temperature_c, measured_dps, fitted_dps FROM model_point WHERE model_id = ? "
+        "SELECT temperature_c, measured_dps, fitted_dps, band_dps FROM model_point WHERE model_id "
+        "= ? "
         "ORDER BY position",
         [&](const Statement& row) {
-          models[i].points.push_back({row.real(0), row.real(1), row.real(2)});
+          models[i].points.push_back({row.real(0), row.real(1), row.real(2), row.real(3)});
         },
         ids[i]);
   }

@@ -15,12 +15,6 @@ std::string title(const StoredSensor& sensor) {
   return fmt::format("board '{}', axis {}", sensor.board.name, letter(sensor.axis));
 }
 
-double temperature_of(const AcceptedDwell& dwell, const std::string& scale) {
-  if (scale == "chamber") return dwell.chamber_mean_c;
-  if (scale == "board") return dwell.board_mean_c;
-  return dwell.setpoint.value;
-}
-
 /// Means over each setpoint of what was measured in its dwells, in the order of the setpoints.
 Result<std::vector<double>> means_of(const std::vector<double>& setpoint_c,
                                      const std::vector<double>& values) {
@@ -37,15 +31,22 @@ FittedModel model_of(const ModelInsert& stored, std::vector<NamedParameter> para
     model.setpoint_c.push_back(point.temperature_c);
     model.measured_dps.push_back(point.measured_dps);
     model.fitted_dps.push_back(point.fitted_dps);
+    model.band_dps.push_back(point.band_dps);
   }
   model.training = {stored.rmse_dps, stored.rmse_n_minus_1_dps, stored.mae_dps, stored.max_dps};
   model.loocv_rmse_dps = stored.loocv_rmse_dps;
-  model.block_rmse_dps = missing;
-  model.effective_parameters = missing;
+  model.block_rmse_dps = stored.block_rmse_dps;
+  model.effective_parameters = stored.effective_parameters;
   return model;
 }
 
 }  // namespace
+
+double temperature_of(const AcceptedDwell& dwell, const std::string& scale) {
+  if (scale == "chamber") return dwell.chamber_mean_c;
+  if (scale == "board") return dwell.board_mean_c;
+  return dwell.setpoint.value;
+}
 
 SensorIdentity identity_of(const StoredSensor& sensor, const std::string& temperature_scale) {
   return {sensor.board.mcu_id.empty() ? sensor.board.name : sensor.board.mcu_id,

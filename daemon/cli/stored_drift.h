@@ -31,6 +31,9 @@ struct StoredSensor {
                                                            const std::string& board,
                                                            const std::string& axis);
 
+/// A dwell's temperature on a scale that stored_table() knows; missing where it was not measured.
+[[nodiscard]] double temperature_of(const AcceptedDwell& dwell, const std::string& scale);
+
 /// Filtered zero drifts, one row a setpoint, over the setpoints or over the chamber's or the
 /// board's own mean temperature in the dwells.
 /// @param temperature_scale  "setpoint", "chamber" or "board".

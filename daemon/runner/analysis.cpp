@@ -1,6 +1,6 @@
 #include "daemon/runner/analysis.h"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numeric>
@@ -106,7 +106,7 @@ class BoardAnalysis {
     auto analysis = analyse(by_setpoint->table, options);
     if (!analysis) return tl::unexpected(analysis.error());
     for (std::size_t i = 0; i < analysis->models.size(); ++i) {
-      models.push_back(insert_of(analysis->models[i], axis));
+      models.push_back(with_provenance(model_row(analysis->models[i], id_, axis)));
       if (analysis->recommended == i) {
         models.back().recommended = true;
         models.back().reason = analysis->reason;
@@ -116,22 +116,9 @@ class BoardAnalysis {
   }
 
  private:
-  [[nodiscard]] ModelInsert insert_of(const FittedModel& model, Axis axis) const {
-    ModelInsert insert;
-    insert.board = id_;
-    insert.axis = axis;
-    insert.method = model.method;
-    insert.parameters_json = parameters_to_json(model.parameters).dump();
-    insert.rmse_dps = model.training.rmse_n;
-    insert.rmse_n_minus_1_dps = model.training.rmse_n_minus_1;
-    insert.mae_dps = model.training.mae;
-    insert.max_dps = model.training.max;
-    insert.loocv_rmse_dps = model.loocv_rmse_dps;
+  [[nodiscard]] ModelInsert with_provenance(ModelInsert insert) const {
     insert.dwells_sha256 = hash_;
     for (const Dwell& dwell : dwells_) insert.dwells.push_back(dwell.row.id);
-    for (std::size_t i = 0; i < model.setpoint_c.size(); ++i) {
-      insert.points.push_back({model.setpoint_c[i], model.measured_dps[i], model.fitted_dps[i]});
-    }
     return insert;
   }
 
@@ -169,6 +156,27 @@ Result<DenoiseSettings> denoise_settings(const AnalysisConfig& config) {
   auto rule = find_denoise_rule(config.rule);
   if (!rule) return tl::unexpected(rule.error());
   return DenoiseSettings{Wavelet{*bank, *boundary, config.level}, *rule, NoiseEstimate::global};
+}
+
+ModelInsert model_row(const FittedModel& model, BoardId board, Axis axis) {
+  ModelInsert insert;
+  insert.board = board;
+  insert.axis = axis;
+  insert.method = model.method;
+  insert.parameters_json = parameters_to_json(model.parameters).dump();
+  insert.rmse_dps = model.training.rmse_n;
+  insert.rmse_n_minus_1_dps = model.training.rmse_n_minus_1;
+  insert.mae_dps = model.training.mae;
+  insert.max_dps = model.training.max;
+  insert.loocv_rmse_dps = model.loocv_rmse_dps;
+  insert.block_rmse_dps = model.block_rmse_dps;
+  insert.effective_parameters = model.effective_parameters;
+  insert.warnings = fmt::format("{}", fmt::join(model.warnings, "\n"));
+  for (std::size_t i = 0; i < model.setpoint_c.size(); ++i) {
+    insert.points.push_back(
+        {model.setpoint_c[i], model.measured_dps[i], model.fitted_dps[i], model.band_dps[i]});
+  }
+  return insert;
 }
 
 std::vector<double> rates_dps(std::span<const BoardSample> samples, Axis axis,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "compensation/drift/model.h"
 #include "compensation/wavelet/denoise.h"
 #include "config/campaign.h"
 #include "schema/store.h"
@@ -17,6 +18,9 @@ namespace gyrocal::runner {
 /// of the sample, else of the dwell, else 20 degC (as view sample_dps does).
 [[nodiscard]] std::vector<double> rates_dps(std::span<const BoardSample> samples, Axis axis,
                                             const BoardRow& board, double dwell_board_c);
+
+/// A model as the store takes it, without provenance and not recommended.
+[[nodiscard]] ModelInsert model_row(const FittedModel& model, BoardId board, Axis axis);
 
 /// From accepted dwells to stored models, for every board and axis: raw counts to deg/s, wavelet
 /// filter per dwell, its mean as zero drift, models over the setpoints, with the dwells used, the

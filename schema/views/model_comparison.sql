@@ -10,7 +10,9 @@ SELECT
   model.loocv_rmse_dps,  -- leave-one-out: the honest one
   model.rmse_n_minus_1_dps,  -- divided by n - 1, as parts of the paper do
   model.max_dps,  -- largest absolute error
-  model.recommended  -- 1: the one to use
+  model.recommended,  -- 1: the one to use
+  model.block_rmse_dps,  -- each setpoint predicted without it and its neighbours
+  model.warnings  -- sentences, one a line
 FROM campaign
 JOIN model ON model.analysis_id = (SELECT max(analysis.id) FROM analysis WHERE analysis.campaign_id = campaign.id)
 JOIN board ON board.id = model.board_id;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "schema/migrate.h"
 #include "schema/sqlite.h"
 #include "schema/table_reader.h"
 #include "tests/schema/small_campaign.h"
@@ -79,8 +80,8 @@ TEST_CASE("migrating what is up to date does nothing, and never creates a file",
   const TemporaryFolder folder;
   { auto store = Store::open(folder / "a.db").value(); }
   const auto migrated = migrate_database(folder / "a.db").value();
-  CHECK(migrated.from == 1);
-  CHECK(migrated.to == 1);
+  CHECK(migrated.from == newest_version(embedded_migrations()));
+  CHECK(migrated.to == migrated.from);
   CHECK_FALSE(migrated.copy.has_value());
   CHECK_FALSE(migrate_database(folder / "none.db").has_value());
   CHECK_FALSE(std::filesystem::exists(folder / "none.db"));

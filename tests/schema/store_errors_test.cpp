@@ -1,4 +1,5 @@
 // Databases that cannot be used: each says which file, what is wrong with it, and stays as it was.
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "schema/migrate.h"
 #include "schema/sqlite.h"
 #include "tests/schema/small_campaign.h"
 #include "tests/schema/temporary_folder.h"
@@ -92,9 +94,10 @@ TEST_CASE("a database of a newer schema is refused and stays as it was", "[store
   { auto store = Store::open(path).value(); }
   write_database(path, "PRAGMA user_version = 99; PRAGMA journal_mode = DELETE");
   const auto before = bytes_of(path);
-  const auto expected = path +
-                        ": schema 99, written by a newer gyrocal; this one knows up to 1; install "
-                        "the newer gyrocal";
+  const auto expected = fmt::format(
+      "{}: schema 99, written by a newer gyrocal; this one knows up to {}; install the newer "
+      "gyrocal",
+      path, newest_version(embedded_migrations()));
   CHECK(open_says(path) == expected);
   CHECK(open_read_only_says(path) == expected);
   CHECK(bytes_of(path) == before);

@@ -144,7 +144,9 @@ TEST_CASE("an analysis is read back whole; the same settings replace it, others 
   model.reason = "smallest leave-one-out error";
   model.dwells_sha256 = "abc";
   model.dwells = {dwells[0]};
-  model.points = {{-10, 4.11, 4.10}};
+  model.points = {{-10, 4.11, 4.10, 0.2}};
+  model.block_rmse_dps = 0.06;
+  model.warnings = "one\ntwo";
   REQUIRE(store.add_analysis(ids.campaign, settings, drifts, std::vector{model}));
 
   const auto check = [&](double rmse) {
@@ -157,6 +159,10 @@ TEST_CASE("an analysis is read back whole; the same settings replace it, others 
     CHECK(models[0].dwells == std::vector{dwells[0]});
     REQUIRE(models[0].points.size() == 1);
     CHECK(models[0].points[0].fitted_dps == 4.10);
+    CHECK(models[0].points[0].band_dps == 0.2);
+    CHECK(models[0].block_rmse_dps == 0.06);
+    CHECK(std::isnan(models[0].effective_parameters));
+    CHECK(models[0].warnings == "one\ntwo");
     CHECK(store.models(ids.campaign, ids.second, Axis::z).value().empty());
   };
   check(0.0445);

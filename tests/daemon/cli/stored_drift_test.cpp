@@ -1,10 +1,11 @@
 // gyrocal fit, compensate and firmware on a database.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "compensation/drift/analysis.h"
 #include "compensation/drift/paper.h"
-#include "config/drift_model/model_json.h"
+#include "daemon/runner/analysis.h"
 #include "schema/store.h"
 #include "tests/daemon/cli/run_gyrocal.h"
 
@@ -13,20 +14,8 @@ using namespace gyrocal;
 namespace {
 
 ModelInsert insert_of(const FittedModel& model, BoardId board, Axis axis) {
-  ModelInsert insert;
-  insert.board = board;
-  insert.axis = axis;
-  insert.method = model.method;
-  insert.parameters_json = parameters_to_json(model.parameters).dump();
-  insert.rmse_dps = model.training.rmse_n;
-  insert.rmse_n_minus_1_dps = model.training.rmse_n_minus_1;
-  insert.mae_dps = model.training.mae;
-  insert.max_dps = model.training.max;
-  insert.loocv_rmse_dps = model.loocv_rmse_dps;
+  ModelInsert insert = runner::model_row(model, board, axis);
   insert.dwells_sha256 = "none";
-  for (std::size_t i = 0; i < model.setpoint_c.size(); ++i) {
-    insert.points.push_back({model.setpoint_c[i], model.measured_dps[i], model.fitted_dps[i]});
-  }
   return insert;
 }
 
@@ -143,6 +132,31 @@ TEST_CASE("compensate on a database says that its own model was fitted to it", "
       run_gyrocal("compensate --board second --axis z --db " + path + " --model " + model);
   CHECK(other.exit_code == 1);
   CHECK(other.out.empty());
+}
+
+TEST_CASE("compensate on a database's raw samples takes the model off each one",
+          "[cli][database]") {
+  const auto path = paper_database("compensate_samples.db");
+  const auto rows = run_gyrocal("compensate --samples --board first --axis z --db " + path);
+  REQUIRE(rows.exit_code == 0);
+  // One sample of 17 LSB a dwell: 17 / 4.13 deg/s.
+  CHECK(
+      rows.out.starts_with("t_s,setpoint_c,temperature_c,rate_dps,model_drift_dps,compensated_dps\n"
+                           "0.000000,-10,-10,4.11622276,4.3"));
+  CHECK(std::count(rows.out.begin(), rows.out.end(), '\n') == 26);
+  CHECK(rows.err.find("25 of 25 setpoints are data this model was fitted to") != std::string::npos);
+  const auto report =
+      run_gyrocal("compensate --json --samples --board first --axis z --db " + path);
+  const auto json = nlohmann::json::parse(report.out);
+  CHECK(json["rows"] == 25);
+  CHECK(json["setpoints_of_training"] == 25);
+  CHECK(json["before"]["mean_dps"].get<double>() == Approx(17 / 4.13));
+  CHECK(json["before"]["standard_deviation_dps"].get<double>() == Approx(0).margin(1e-9));
+  CHECK(json["after"]["standard_deviation_dps"].get<double>() > 0.05);
+
+  const auto alone = run_gyrocal("compensate --samples --model x.json");
+  CHECK(alone.exit_code == 2);
+  CHECK(alone.err.find("--samples goes with --db") != std::string::npos);
 }
 
 TEST_CASE("firmware from a database names its board and keeps to its thermometer",
