@@ -2,14 +2,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "schema/store_impl.h"
 
 namespace gyrocal {
 namespace {
 
 /// How the rows of a part are listed: time, `keys` columns that name the row, what it holds.
-/// ?1: campaign, ?2: after, ?3: to. What an analysis stores has no time: it is listed in windows
-/// without an end.
+/// ?1: campaign (of the slow stream: board), ?2: after, ?3: to. What an analysis stores has no
+/// time: it is listed in windows without an end.
 struct Listing {
   const char* row;
   int keys;
@@ -35,8 +38,8 @@ constexpr Listing monitor{
     "slow stream", 1,
     "SELECT t_ns, board.name AS board, t_ns, setpoint_c, chamber_c, board_c, gyro_x_mean_lsb, "
     "gyro_y_mean_lsb, gyro_z_mean_lsb, frames, frames_missing FROM board JOIN monitor ON "
-    "board_id = board.id WHERE campaign_id = ?1 AND t_ns > ?2 AND t_ns <= ?3 "
-    "ORDER BY board.id, t_ns"};
+    "board_id = board.id WHERE board.id = ?1 AND t_ns > ?2 AND t_ns <= ?3 "
+    "ORDER BY t_ns"};
 constexpr Listing drifts{
     "zero drift", 3,
     "SELECT t_end_ns, board.name AS board, ordinal AS setpoint, axis, raw_mean_dps, raw_sd_dps, "
@@ -78,9 +81,9 @@ const Listing& listing_of(CampaignPart part) {
   return model_points;
 }
 
-Result<Statement> rows_of(const CampaignWindow& window, const Listing& listing) {
+Result<Statement> rows_of(const CampaignWindow& window, const Listing& listing, std::int64_t of) {
   auto rows = window.database.prepare(listing.sql);
-  if (rows) rows->bind_all(key(window.campaign), window.after_ns, window.to_ns);
+  if (rows) rows->bind_all(of, window.after_ns, window.to_ns);
   return rows;
 }
 
@@ -122,39 +125,79 @@ Result<std::int64_t> rest_of(Statement& rows) {
   }
 }
 
-}  // namespace
+/// Adds what follows the end of the shorter listing.
+Result<void> note_beyond(Statement& longer, bool is_expected, const Listing& listing,
+                         PartComparison& comparison) {
+  const std::string name = name_of(longer, listing);
+  RowDifference beyond{longer.integer(0), name, {}, name, "nothing"};
+  if (!is_expected) std::swap(beyond.expected, beyond.got);
+  if (!comparison.beyond || beyond.t_ns < comparison.beyond->t_ns) comparison.beyond = beyond;
+  const auto rest = rest_of(longer);
+  if (!rest) return tl::unexpected(rest.error());
+  (is_expected ? comparison.more_expected : comparison.more_got) += *rest;
+  return {};
+}
 
-Result<PartComparison> compare_campaigns(const CampaignWindow& expected, const CampaignWindow& got,
-                                         CampaignPart part) {
-  const Listing& listing = listing_of(part);
-  auto left = rows_of(expected, listing);
+/// One listing after the other, into one comparison.
+/// @param expected_of, got_of  what ?1 stands for.
+Result<void> compare_listing(const CampaignWindow& expected, std::int64_t expected_of,
+                             const CampaignWindow& got, std::int64_t got_of, const Listing& listing,
+                             PartComparison& comparison) {
+  auto left = rows_of(expected, listing, expected_of);
   if (!left) return tl::unexpected(left.error());
-  auto right = rows_of(got, listing);
+  auto right = rows_of(got, listing, got_of);
   if (!right) return tl::unexpected(right.error());
-  PartComparison comparison;
   for (;;) {
     const auto in_left = left->next();
     if (!in_left) return tl::unexpected(in_left.error());
     const auto in_right = right->next();
     if (!in_right) return tl::unexpected(in_right.error());
-    if (!*in_left && !*in_right) return comparison;
+    if (!*in_left && !*in_right) return {};
     if (*in_left != *in_right) {
-      Statement& longer = *in_left ? *left : *right;
-      const std::string name = name_of(longer, listing);
-      comparison.beyond = RowDifference{longer.integer(0),
-                                        name,
-                                        {},  //
-                                        *in_left ? name : "nothing",
-                                        *in_left ? "nothing" : name};
-      const auto rest = rest_of(longer);
-      if (!rest) return tl::unexpected(rest.error());
-      (*in_left ? comparison.more_expected : comparison.more_got) = *rest;
-      return comparison;
+      return note_beyond(*in_left ? *left : *right, *in_left, listing, comparison);
     }
-    comparison.difference = difference(*left, *right, listing);
-    if (comparison.difference) return comparison;
+    if (const auto differs = difference(*left, *right, listing)) {
+      const auto& first = comparison.difference;
+      if (!first || differs->t_ns < first->t_ns) comparison.difference = differs;
+      return {};
+    }
     ++comparison.rows;
   }
+}
+
+Result<std::vector<std::int64_t>> boards_of(const CampaignWindow& window) {
+  std::vector<std::int64_t> boards;
+  auto read = for_each_row(
+      window.database, "SELECT id FROM board WHERE campaign_id = ? ORDER BY id",
+      [&](const Statement& row) { boards.push_back(row.integer(0)); }, key(window.campaign));
+  if (!read) return tl::unexpected(read.error());
+  return boards;
+}
+
+/// Board by board: a crash may leave the boards' streams at different ends.
+Result<PartComparison> compare_monitor(const CampaignWindow& expected, const CampaignWindow& got) {
+  const auto left = boards_of(expected);
+  if (!left) return tl::unexpected(left.error());
+  const auto right = boards_of(got);
+  if (!right) return tl::unexpected(right.error());
+  PartComparison comparison;
+  for (std::size_t i = 0; i < std::min(left->size(), right->size()); ++i) {
+    auto done = compare_listing(expected, (*left)[i], got, (*right)[i], monitor, comparison);
+    if (!done) return tl::unexpected(done.error());
+  }
+  return comparison;
+}
+
+}  // namespace
+
+Result<PartComparison> compare_campaigns(const CampaignWindow& expected, const CampaignWindow& got,
+                                         CampaignPart part) {
+  if (part == CampaignPart::monitor) return compare_monitor(expected, got);
+  PartComparison comparison;
+  auto done = compare_listing(expected, key(expected.campaign), got, key(got.campaign),
+                              listing_of(part), comparison);
+  if (!done) return tl::unexpected(done.error());
+  return comparison;
 }
 
 Result<std::vector<EventInsert>> events_in(const CampaignWindow& window) {

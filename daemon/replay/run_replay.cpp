@@ -47,6 +47,7 @@ class Replaying {
  private:
   [[nodiscard]] runner::RunHooks hooks();
   void begin(CampaignId campaign, Duration t);
+  [[nodiscard]] Result<void> expect_recorded(CampaignId campaign);
   [[nodiscard]] Result<void> may_store();
   void end(const Result<runner::Outcome>& outcome);
   [[nodiscard]] Result<void> compare_rows();
@@ -56,6 +57,7 @@ class Replaying {
   std::unique_ptr<ReplayDevices> devices_;
   Tape& tape_;
   Database recorded_;
+  std::optional<Store> store_;  ///< the replay's, while it runs
   DecisionCheck decisions_;
   std::optional<CampaignId> campaign_;  ///< in the replay's database
   std::optional<Error> trouble_;
@@ -79,6 +81,10 @@ void Replaying::begin(CampaignId campaign, Duration t) {
     trouble_ = then.error();
     return;
   }
+  if (const auto right = expect_recorded(CampaignId{then->campaign}); !right) {
+    trouble_ = right.error();
+    return;
+  }
   result_.run.campaign = then->campaign;
   auto events = events_in({recorded_, CampaignId{then->campaign}, after_ns()});
   if (!events) {
@@ -86,6 +92,22 @@ void Replaying::begin(CampaignId campaign, Duration t) {
     return;
   }
   decisions_.begin(origin, std::move(*events));
+}
+
+/// That the database to compare with holds the recorded campaign, and not one of the same number.
+Result<void> Replaying::expect_recorded(CampaignId campaign) {
+  const auto ours = store_->campaign(*campaign_);
+  if (!ours) return tl::unexpected(ours.error());
+  auto theirs = recorded_.prepare("SELECT utc_start_ns FROM campaign WHERE id = ?");
+  if (!theirs) return tl::unexpected(theirs.error());
+  theirs->bind(0, static_cast<std::int64_t>(campaign));
+  const auto found = theirs->next();
+  if (!found) return tl::unexpected(found.error());
+  if (*found && theirs->integer(0) == ours->utc_start_ns) return {};
+  return fail(Errc::mismatch,
+              fmt::format("{}: its campaign {} is not the campaign that was recorded",
+                          material_.against, static_cast<std::int64_t>(campaign)),
+              "--against says which database the recorded campaign wrote");
 }
 
 Result<void> Replaying::may_store() {
@@ -151,13 +173,12 @@ Result<void> Replaying::compare_rows() {
 }
 
 Result<RunResult> Replaying::run() {
-  {
-    auto store = Store::open(material_.database);
-    if (!store) return tl::unexpected(store.error());
-    const auto outcome = runner::run_campaign(material_.config, devices_->devices(), *store,
-                                              material_.begun.options, hooks());
-    end(outcome);
-  }
+  auto store = Store::open(material_.database);
+  if (!store) return tl::unexpected(store.error());
+  store_.emplace(std::move(*store));
+  end(runner::run_campaign(material_.config, devices_->devices(), *store_, material_.begun.options,
+                           hooks()));
+  store_.reset();
   if (trouble_) return tl::unexpected(*trouble_);
   result_.run.number = material_.run.id;
   result_.run.software_version = material_.run.software_version;
