@@ -28,6 +28,7 @@ void add_fit(CLI::App& root, Chosen& chosen);
 void add_import(CLI::App& root, Chosen& chosen);
 void add_make_safe(CLI::App& root, Chosen& chosen);
 void add_paper(CLI::App& root, Chosen& chosen);
+void add_plan(CLI::App& root, Chosen& chosen);
 void add_replay(CLI::App& root, Chosen& chosen);
 void add_rig(CLI::App& root, Chosen& chosen);
 void add_run(CLI::App& root, Chosen& chosen);

@@ -21,6 +21,31 @@ SCENARIO("a campaign in virtual time prints its table and its database") {
   CHECK(ran.err.find('\r') == std::string::npos);  // no progress bar without a terminal
 }
 
+SCENARIO("a plan says what it would show, and writes a campaign that tells more apart") {
+  const std::string campaign = temporary_file(
+      "one_way.toml",
+      "[campaign]\nname = \"one_way\"\nsimulated = true\n[plan]\nsetpoints_c = [-10, 5, 20, 35, "
+      "50]\n[chamber]\nprofile = \"yinhe\"\nhost = \"127.0.0.1\"\n[[board]]\nname = \"a\"\n"
+      "device = \"/dev/a\"\n");
+  const std::string apart = temporary_file("one_way_apart.toml", "");
+  const Ran ran = run_gyrocal("plan --json " + campaign + " --write " + apart);
+  REQUIRE(ran.exit_code == 0);
+  const auto json = nlohmann::json::parse(ran.out);
+  CHECK(json["format"] == "gyrocal-plan/1");
+  CHECK(json["dwells"] == 5);
+  CHECK(json["detection_limits"]["bias_jump"]["unit"] == "dps");
+  const auto open = [](const nlohmann::json& plan) {
+    int count = 0;
+    for (const auto& pair : plan["pairs"]) count += pair["told_apart"].get<bool>() ? 0 : 1;
+    return count;
+  };
+  const auto better = nlohmann::json::parse(run_gyrocal("plan --json " + apart).out);
+  CHECK(better["dwells"] > 5);
+  CHECK(open(better) < open(json));
+  const Ran text = run_gyrocal("plan " + campaign);
+  CHECK(text.out.find("Pairs this plan hardly tells apart") != std::string::npos);
+}
+
 SCENARIO("usage and campaign files that are wrong exit with 2 and say where") {
   CHECK(run_gyrocal("run").exit_code == 2);
   CHECK(run_gyrocal("run " + demo + " --seed 3").exit_code == 2);  // needs --virtual
