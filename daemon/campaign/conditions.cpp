@@ -15,10 +15,12 @@ constexpr double dwell_time_factor = 2;  ///< of the time its samples take at th
 
 constexpr Duration paused_for_max = std::chrono::hours{24};
 constexpr double shortest_ramp_s = 300;  ///< shorter ones say little about a chamber
+/// Of the rate asked for: air that still goes this fast is slow, not stuck.
+constexpr double slow_share = 0.125;
 
-bool within(Celsius air, Celsius target, Kelvin band) {
-  return std::abs((air - target).value) <= band.value;
-}
+Kelvin distance(Celsius a, Celsius b) { return Kelvin{std::abs((a - b).value)}; }
+
+bool within(Celsius air, Celsius target, Kelvin band) { return distance(air, target) <= band; }
 
 }  // namespace
 
@@ -33,6 +35,10 @@ void Conditions::entered(const State& state, Duration t) {
   since_ = t;
   air_then_ = air_;
   const Visit* visit = visit_of(state);
+  heading_ = visit ? std::optional(plan_.setpoints[visit->point]) : std::nullopt;
+  if (std::holds_alternative<Returning>(state)) heading_ = plan_.safe;
+  nearer_at_ = t;
+  if (heading_ && air_) nearest_ = distance(*air_, *heading_);
   if (!visit || target_ == plan_.setpoints[visit->point]) return;
   target_ = plan_.setpoints[visit->point];
   air_stability_.start(*target_);
@@ -47,7 +53,14 @@ void Conditions::learn_from_ramp(Duration t) {
 }
 
 void Conditions::air(Duration t, Celsius reading) {
+  if (heading_ && !air_) nearest_ = distance(reading, *heading_);
   air_ = reading;
+  const double step_k =
+      slow_share * plan_.ramp_per_minute.value * plan_.limits.ramp_timeout_extra_s / 60;
+  if (heading_ && distance(reading, *heading_).value <= nearest_.value - step_k) {
+    nearest_ = distance(reading, *heading_);
+    nearer_at_ = t;
+  }
   if (!air_then_) air_then_ = reading;
   if (target_) air_stability_.observe(t, reading);
 }
@@ -106,10 +119,15 @@ Duration Conditions::ramp_bound(Celsius target) const {
                  plan_.limits.ramp_timeout_extra_s);
 }
 
+bool Conditions::too_long_on_the_way(Celsius target, Duration t) const {
+  return t - since_ > ramp_bound(target) &&
+         t - nearer_at_ > seconds(plan_.limits.ramp_timeout_extra_s);
+}
+
 std::optional<Event> Conditions::while_ramping(const Visit& visit, Duration t) const {
   const Celsius target = plan_.setpoints[visit.point];
   if (air_ && within(*air_, target, plan_.stability.air_band)) return AtSetpoint{};
-  if (!air_ || t - since_ <= ramp_bound(target))
+  if (!air_ || !too_long_on_the_way(target, t))
     return std::nullopt;  // no reading: stale, elsewhere
   return Fault{
       fmt::format("the air is at {:.1f} degC and has not reached {:.1f} degC in {:.0f} min",
@@ -142,8 +160,9 @@ std::optional<Event> Conditions::while_logging(const Visit& visit, Duration t) c
 }
 
 std::optional<Event> Conditions::while_returning(Duration t) const {
-  if (air_ && within(*air_, plan_.safe, restored_band)) return Restored{};
-  if (!air_ || t - since_ <= ramp_bound(plan_.safe)) return std::nullopt;
+  const bool told = commanded_ == plan_.safe;
+  if (told && air_ && within(*air_, plan_.safe, restored_band)) return Restored{};
+  if (!told || !air_ || !too_long_on_the_way(plan_.safe, t)) return std::nullopt;
   return NotRestored{
       fmt::format("the air is at {:.1f} degC, not at the safe {:.1f} degC, {:.0f} "
                   "min after it was sent there; open the chamber with care",

@@ -31,6 +31,8 @@ class Conditions {
   /// The state machine went into `state`; the wait of that state begins.
   void entered(const State& state, Duration t);
   void air(Duration t, Celsius reading);
+  /// What the chamber has confirmed it controls to: the way home ends at the safe setpoint itself.
+  void commanded(std::optional<Celsius> setpoint) { commanded_ = setpoint; }
   void board_temperature(std::size_t board, Duration t, Celsius reading);
   void presence(std::size_t board, Presence presence);
   /// A sensor whose register has stopped (STLM75 read too fast) shows no slope: its soak is timed.
@@ -57,6 +59,7 @@ class Conditions {
   [[nodiscard]] std::optional<Event> while_logging(const Visit& visit, Duration t) const;
   [[nodiscard]] std::optional<Event> while_returning(Duration t) const;
   [[nodiscard]] Duration ramp_bound(Celsius target) const;
+  [[nodiscard]] bool too_long_on_the_way(Celsius target, Duration t) const;
 
   Plan plan_;
   Duration unknown_after_;
@@ -64,9 +67,13 @@ class Conditions {
   std::vector<BoardState> boards_;
   std::optional<Celsius> air_;
   std::optional<Celsius> target_;
-  double slowness_ = 1;              ///< of the slowest ramp so far, against the one asked for
+  double slowness_ = 1;  ///< of the slowest ramp so far, against the one asked for
+  std::optional<Celsius> commanded_;
   Duration since_{};                 ///< when the present state was entered
   std::optional<Celsius> air_then_;  ///< and how warm the air was
+  std::optional<Celsius> heading_;   ///< where the air is on its way to
+  Kelvin nearest_{0};                ///< it has come so close,
+  Duration nearer_at_{};             ///< and made its last step towards it then
 };
 
 }  // namespace gyrocal::campaign

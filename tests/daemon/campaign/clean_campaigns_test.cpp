@@ -78,6 +78,7 @@ class CleanCampaign {
     if (std::holds_alternative<Logging>(state_) && t_ - dwell_began_ >= seconds(sixty_s)) {
       return feed(DwellDone{});
     }
+    conditions_.commanded(commanded_);
     if (const auto event = conditions_.due(state_, t_)) feed(*event);
   }
 

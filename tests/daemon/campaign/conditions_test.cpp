@@ -114,10 +114,24 @@ SCENARIO("the way home ends near the safe temperature, or is given up with a war
   Conditions conditions(plan, seconds(15));
   conditions.air(seconds(0), Celsius{50});
   conditions.entered(Returning{}, seconds(0));
+  conditions.commanded(plan.safe);
   CHECK_FALSE(conditions.due(Returning{}, seconds(4800)));  // 25 min * 2 + 30 min
   CHECK(is<NotRestored>(conditions.due(Returning{}, seconds(4801))));
   conditions.air(seconds(1500), Celsius{26.9});
   CHECK(is<Restored>(conditions.due(Returning{}, seconds(1500))));
+  conditions.commanded(Celsius{26});  // the last step of the ramp has not been written
+  CHECK_FALSE(conditions.due(Returning{}, seconds(1500)));
+}
+
+SCENARIO("a chamber that is slow, but on its way, is waited for; one that stands still is not") {
+  const Plan plan = three_points();
+  Conditions conditions(plan, seconds(15));
+  conditions.air(seconds(0), Celsius{20});
+  conditions.entered(Ramping{{2}}, seconds(0));  // 30 K at 1 K/min: 30 min * 2 + 30 min
+  for (double t = 0; t <= 8400; t += 5) conditions.air(seconds(t), Celsius{20 + 0.2 * t / 60});
+  CHECK_FALSE(conditions.due(Ramping{{2}}, seconds(8400)));
+  conditions.air(seconds(10200), Celsius{48});
+  CHECK(is<Fault>(conditions.due(Ramping{{2}}, seconds(10200))));
 }
 
 }  // namespace gyrocal::campaign
