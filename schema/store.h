@@ -242,6 +242,7 @@ class Store {
   [[nodiscard]] Result<std::vector<std::pair<BoardId, BoardRow>>> boards(CampaignId campaign) const;
   [[nodiscard]] Result<std::vector<AcceptedDwell>> accepted_dwells(CampaignId campaign,
                                                                    BoardId board) const;
+  [[nodiscard]] Result<std::vector<EventInsert>> events(CampaignId campaign) const;  ///< as told
   /// Raw samples of a dwell, in order of seq.
   [[nodiscard]] Result<std::vector<BoardSample>> samples(DwellId dwell) const;
   /// Zero drifts by the campaign's latest analysis, in the order of the setpoints; none if it has

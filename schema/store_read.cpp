@@ -112,6 +112,19 @@ Result<std::optional<CampaignId>> Store::latest_campaign() const {
   return *id == 0 ? std::nullopt : std::optional(CampaignId{*id});
 }
 
+Result<std::vector<EventInsert>> Store::events(CampaignId campaign) const {
+  std::vector<EventInsert> events;
+  const auto read = for_each_row(
+      impl_->database,
+      "SELECT t_ns, utc_ns, severity, kind, text FROM event WHERE campaign_id = ? ORDER BY id",
+      [&](const Statement& row) {
+        events.push_back({row.integer(0), row.integer(1), row.text(2), row.text(3), row.text(4)});
+      },
+      key(campaign));
+  if (!read) return tl::unexpected(read.error());
+  return events;
+}
+
 Result<CampaignRow> Store::campaign(CampaignId campaign) const {
   std::optional<CampaignRow> found;
   const auto read = for_each_row(

@@ -117,11 +117,11 @@ struct OnEvent {
   }
   Step operator()(const Paused& s, const ResumeAsked&) const { return go_to(plan, s.visit); }
   Step operator()(const Logging& s, const SkipAsked&) const {
-    return with(RejectDwell{"skipped by an operator"}, next_point(plan, s.visit));
+    return with(RejectDwell{skipped}, next_point(plan, s.visit));
   }
   template <AtPoint S>
   Step operator()(const S& s, const SkipAsked&) const {
-    return next_point(plan, s.visit);
+    return with(NoteSkip{s.visit}, next_point(plan, s.visit));
   }
   Step operator()(const Preflight&, const AbortAsked&) const { return {Aborted{}, {}}; }
   Step operator()(const Logging&, const AbortAsked&) const {

@@ -101,7 +101,10 @@ struct BeginDwell {
 struct StoreDwell {};  ///< the collected group, each board judged by itself
 struct RejectDwell {
   std::string reason;
-};                   ///< the group as far as it has come, marked
+};  ///< the group as far as it has come, marked
+struct NoteSkip {
+  Visit visit;
+};                   ///< a group without samples, so that no later start goes back to it
 struct MakeSafe {};  ///< safe setpoint at once; tried until the chamber confirms it
 struct Analyse {};
 struct Say {
@@ -109,13 +112,16 @@ struct Say {
   std::string kind;
   std::string text;
 };  ///< an event row
-using Action =
-    std::variant<RampTo, HoldRamp, BeginDwell, StoreDwell, RejectDwell, MakeSafe, Analyse, Say>;
+using Action = std::variant<RampTo, HoldRamp, BeginDwell, StoreDwell, RejectDwell, NoteSkip,
+                            MakeSafe, Analyse, Say>;
 
 struct Step {
   State next;
   std::vector<Action> actions;
 };
+
+/// Why the dwells of a skipped setpoint are rejected.
+inline constexpr char skipped[] = "skipped by an operator";
 
 /// What follows from `event` in `state`. An event that is not awaited changes nothing and asks for
 /// nothing: an operator's command is refused that way. Safe, Finished and Aborted have no

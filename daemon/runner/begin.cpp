@@ -37,7 +37,8 @@ BoardRow row_of(const BoardConfig& config, const BoardIdentity& identity) {
   return row;
 }
 
-Result<BoardId> same_board(const OpenCampaign& open, const BoardConfig& config,
+/// The board's row; one that a crash kept from being written is written now.
+Result<BoardId> same_board(Store& store, const OpenCampaign& open, const BoardConfig& config,
                            const BoardIdentity& identity) {
   for (const auto& [id, row] : open.boards) {
     if (row.name != config.name) continue;
@@ -47,9 +48,7 @@ Result<BoardId> same_board(const OpenCampaign& open, const BoardConfig& config,
                             identity.mcu_id, row.mcu_id),
                 "plug in the board the campaign was begun with");
   }
-  return fail(Errc::mismatch,
-              fmt::format("board '{}' took no part in the campaign so far", config.name),
-              "restore the campaign file, or begin anew with another --db");
+  return store.add_board(open.id, row_of(config, identity));
 }
 
 std::vector<std::vector<bool>> accepted_so_far(const OpenCampaign& open,
@@ -65,8 +64,9 @@ std::vector<std::vector<bool>> accepted_so_far(const OpenCampaign& open,
   return accepted;
 }
 
-/// The last setpoint a dwell was tried at, if a board still lacks its dwell there and a try is
-/// left; else the one after it. Earlier gaps were given up or skipped.
+/// The last setpoint a dwell was tried at, if a board still lacks its dwell there and nobody has
+/// skipped it; else the one after it. Earlier gaps were given up or skipped. Who spoilt former
+/// tries is not told apart here, so one more is always left.
 campaign::Event first_unfinished(const CampaignConfig& config, const OpenCampaign& open,
                                  const std::vector<std::vector<bool>>& accepted) {
   campaign::Visit visit;
@@ -75,15 +75,19 @@ campaign::Event first_unfinished(const CampaignConfig& config, const OpenCampaig
     for (const DwellRow& dwell : open.dwells) last = std::max(last, dwell.ordinal);
     visit.point = static_cast<std::size_t>(last);
     int tried = 0;
+    bool skipped = false;
     for (const DwellRow& dwell : open.dwells) {
-      if (dwell.ordinal == last) tried = std::max(tried, dwell.attempt);
+      if (dwell.ordinal != last) continue;
+      tried = std::max(tried, dwell.attempt);
+      skipped = skipped || dwell.reject_reason == campaign::skipped;
     }
     const auto& have = accepted[visit.point];
     const bool all = std::all_of(have.begin(), have.end(), [](bool has) { return has; });
-    if (all || tried >= config.limits.dwell_attempts_max) {
+    if (all || skipped) {
       ++visit.point;
     } else {
       visit.attempt = tried + 1;
+      visit.disturbed = std::min(tried, config.limits.dwell_attempts_max - 1);
     }
   }
   if (visit.point >= config.plan.setpoints.size()) return campaign::NothingLeft{};
@@ -114,7 +118,8 @@ Result<CampaignLoop::Begin> begin_new(const CampaignConfig& config, const Found&
 }
 
 Result<CampaignLoop::Begin> begin_again(const CampaignConfig& config, const Found& found,
-                                        const Clock& clock, const OpenCampaign& open) {
+                                        const Clock& clock, Store& store,
+                                        const OpenCampaign& open) {
   if (config.text != open.campaign.config_toml) {
     return fail(Errc::mismatch,
                 fmt::format("the campaign file differs from the one campaign '{}' was begun with",
@@ -125,7 +130,7 @@ Result<CampaignLoop::Begin> begin_again(const CampaignConfig& config, const Foun
   CampaignLoop::Begin begin;
   begin.campaign = open.id;
   for (std::size_t i = 0; i < config.boards.size(); ++i) {
-    auto board = same_board(open, config.boards[i], found.boards[i]);
+    auto board = same_board(store, open, config.boards[i], found.boards[i]);
     if (!board) return tl::unexpected(board.error());
     begin.boards.push_back(*board);
   }

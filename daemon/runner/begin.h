@@ -15,6 +15,6 @@ namespace gyrocal::runner {
 /// @return mismatch if the campaign file has changed or another board stands where one was.
 [[nodiscard]] Result<CampaignLoop::Begin> begin_again(const CampaignConfig& config,
                                                       const Found& found, const Clock& clock,
-                                                      const OpenCampaign& open);
+                                                      Store& store, const OpenCampaign& open);
 
 }  // namespace gyrocal::runner

@@ -23,6 +23,8 @@ class BoardPort {
   /// take seconds.
   void poll(Duration t, std::vector<BoardSample>& into);
   void stop();
+  /// It did not answer when the campaign was gone on with: away from now on.
+  void missed(Duration t, const std::string& why) { lost(t, why); }
   /// For a board whose temperature register stands still at the sampling rate: breaks the stream
   /// off, reads it at 1 Hz, and streams again without it. Takes a few seconds.
   /// @return nothing if the board did not go along; it is away then.

@@ -51,6 +51,7 @@ CampaignLoop::CampaignLoop(const CampaignConfig& config, const campaign::Plan& p
                        BoardPort(*devices.boards[i], found.boards[i], mode,
                                  seconds(plan.limits.board_stale_s), begin_.t),
                        SlowStream(monitor_interval, begin_.t)});
+    if (found.away[i]) boards_.back().port.missed(begin_.t, to_text(*found.away[i]));
   }
 }
 
@@ -210,6 +211,7 @@ Result<void> CampaignLoop::judge() {
                                             to_seconds(chamber_.age(t)), chamber_.trouble())});
   }
   if (auto event = presence_event()) return feed(*event);
+  conditions_.commanded(chamber_.commanded());
   if (auto event = conditions_.due(state_, t)) return feed(*event);
   if (auto event = dwell_event()) return feed(*event);
   return {};
@@ -240,6 +242,13 @@ std::optional<campaign::Event> CampaignLoop::dwell_event() const {
 }
 
 Result<void> CampaignLoop::feed(const campaign::Event& event) {
+  const auto* const fault = std::get_if<campaign::Fault>(&event);
+  if (fault && fault->hands_off && !campaign::ended(state_)) {
+    // Before the trip itself: whoever is started after a crash must know.
+    auto told = journal_.event(now(), "error", "hands_off",
+                               "the chamber is left as it is; look after it: " + fault->why);
+    if (!told) return told;
+  }
   campaign::Step step = campaign::step(plan_, state_, event);
   const std::string before = campaign::describe(plan_, state_);
   const char* const left = campaign::name(state_);
@@ -281,6 +290,7 @@ Result<void> CampaignLoop::act(const campaign::Action& action) {
                  },
                  [&](const StoreDwell&) { return store_dwell(std::nullopt); },
                  [&](const RejectDwell& a) { return store_dwell(a.reason); },
+                 [&](const NoteSkip& a) { return store_skip(a.visit); },
                  [&](const Analyse&) { return analyse(); },
                  [&](const Say& a) { return journal_.event(now(), a.severity, a.kind, a.text); }},
       action);
@@ -311,7 +321,7 @@ DwellRow CampaignLoop::row_of(const CollectedDwell& dwell) const {
   row.timed_soak = soak.timed;
   const Duration from{row.t_start_ns};
   const Duration to{row.t_end_ns};
-  row.chamber_mean_c = track_.mean(from, to).value_or(Celsius{missing}).value;
+  row.chamber_mean_c = track_.mean_so_far(from, to).value_or(Celsius{missing}).value;
   row.chamber_peak_to_peak_k = track_.peak_to_peak(from, to).value_or(Kelvin{missing}).value;
   row.board_mean_c =
       std::isnan(dwell.board_mean_c) ? boards_[dwell.board].break_c : dwell.board_mean_c;
@@ -330,6 +340,24 @@ Result<void> CampaignLoop::store_dwell(const std::optional<std::string>& reject_
     if (!dwell.reject_reason) begin_.accepted[dwell_visit_.point][dwell.board] = true;
   }
   return {};
+}
+
+Result<void> CampaignLoop::store_skip(const campaign::Visit& visit) {
+  std::vector<DwellWithSamples> rows;
+  for (std::size_t i = 0; i < boards_.size(); ++i) {
+    if (begin_.accepted[visit.point][i]) continue;
+    DwellRow row;
+    row.board = boards_[i].id;
+    row.ordinal = static_cast<int>(visit.point);
+    row.attempt = visit.attempt;
+    row.t_start_ns = now().count();
+    row.t_end_ns = row.t_start_ns;
+    row.reject_reason = campaign::skipped;
+    rows.push_back({row, {}});
+  }
+  if (rows.empty()) return {};
+  auto stored = journal_.group(rows);
+  return stored ? Result<void>{} : tl::unexpected(stored.error());
 }
 
 Result<void> CampaignLoop::analyse() {

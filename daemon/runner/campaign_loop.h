@@ -71,6 +71,7 @@ class CampaignLoop {
   [[nodiscard]] Result<void> act(const campaign::Action& action);
   void begin_dwell(const campaign::Visit& visit);
   [[nodiscard]] Result<void> store_dwell(const std::optional<std::string>& reject_reason);
+  [[nodiscard]] Result<void> store_skip(const campaign::Visit& visit);
   [[nodiscard]] DwellRow row_of(const CollectedDwell& dwell) const;
   [[nodiscard]] Result<void> analyse();
 

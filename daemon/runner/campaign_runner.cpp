@@ -8,6 +8,8 @@
 namespace gyrocal::runner {
 namespace {
 
+using KnownBoard = std::pair<BoardId, BoardRow>;
+
 /// Whether what the database holds lets this campaign run, and as what.
 Result<std::optional<OpenCampaign>> what_stands(const Store& store, const RunOptions& options) {
   auto open = store.open_campaign();
@@ -33,9 +35,10 @@ Result<Outcome> run_campaign(const CampaignConfig& config, Devices devices, Stor
   }
   auto open = what_stands(store, options);
   if (!open) return tl::unexpected(open.error());
-  auto found = preflight(config, devices, options.patience);
+  auto found = preflight(config, devices, options.patience,
+                         *open ? std::span((*open)->boards) : std::span<const KnownBoard>());
   if (!found) return tl::unexpected(found.error());
-  auto begin = *open ? begin_again(config, *found, devices.clock, **open)
+  auto begin = *open ? begin_again(config, *found, devices.clock, store, **open)
                      : begin_new(config, *found, devices.clock, store, options.software_version);
   if (!begin) return tl::unexpected(begin.error());
   if (hooks.begun) hooks.begun(begin->campaign, begin->t);

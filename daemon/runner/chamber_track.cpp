@@ -32,6 +32,12 @@ std::optional<Celsius> ChamberTrack::mean(Duration from, Duration to) const {
   return Celsius{area / to_seconds(to - from)};
 }
 
+std::optional<Celsius> ChamberTrack::mean_so_far(Duration from, Duration to) const {
+  if (readings_.empty() || to - readings_.back().t > gap_max_) return std::nullopt;
+  if (readings_.back().t <= from) return readings_.back().actual;
+  return mean(from, std::min(to, readings_.back().t));
+}
+
 std::optional<Kelvin> ChamberTrack::peak_to_peak(Duration from, Duration to) const {
   std::optional<Celsius> low;
   std::optional<Celsius> high;

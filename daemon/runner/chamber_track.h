@@ -26,6 +26,9 @@ class ChamberTrack {
 
   /// Mean of the air over [from, to]; nothing unless readings reach across it without a gap.
   [[nodiscard]] std::optional<Celsius> mean(Duration from, Duration to) const;
+  /// Same for an interval that has just ended: where readings do not reach its end yet, over the
+  /// part they cover. Nothing if the latest is older than a gap may be.
+  [[nodiscard]] std::optional<Celsius> mean_so_far(Duration from, Duration to) const;
   /// Highest minus lowest reading within [from, to]; nothing without readings.
   [[nodiscard]] std::optional<Kelvin> peak_to_peak(Duration from, Duration to) const;
   /// What the chamber controlled to at t.

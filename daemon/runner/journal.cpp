@@ -26,9 +26,10 @@ Result<void> Journal::event(Duration t, const std::string& severity, const std::
 }
 
 Result<void> Journal::transition(Duration t, const std::string& state, const std::string& text) {
-  if (auto stored = event(t, "info", "transition", text); !stored) return stored;
+  // The state first: a trip is latched although the daemon dies before its event is written.
   if (auto may = may_store(); !may) return may;
-  return noted(store_.set_campaign_state(campaign_, state));
+  if (auto stored = noted(store_.set_campaign_state(campaign_, state)); !stored) return stored;
+  return event(t, "info", "transition", text);
 }
 
 Result<void> Journal::monitor(const MonitorInsert& row) {

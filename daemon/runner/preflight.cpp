@@ -70,15 +70,39 @@ Result<BoardIdentity> inspect_board(const BoardConfig& config, Board& board, con
   return identity;
 }
 
-Result<Found> preflight(const CampaignConfig& config, Devices& devices, Duration patience) {
+namespace {
+
+/// Whether a board is merely away, and who it was.
+std::optional<BoardIdentity> known_and_away(const std::string& name, const Error& error,
+                                            std::span<const std::pair<BoardId, BoardRow>> before) {
+  const bool away = error.code == Errc::timeout || error.code == Errc::link_lost ||
+                    error.code == Errc::bad_frame || error.code == Errc::refused;
+  for (const auto& [id, row] : before) {
+    if (away && row.name == name) {
+      return BoardIdentity{row.mcu_id, row.firmware_version, row.hardware_version};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<Found> preflight(const CampaignConfig& config, Devices& devices, Duration patience,
+                        std::span<const std::pair<BoardId, BoardRow>> before) {
   auto chamber = inspect_chamber(config, devices.chamber);
   if (!chamber) return tl::unexpected(chamber.error());
-  Found found{*chamber, {}};
+  Found found{*chamber, {}, {}};
   const BoardMode mode{config.plan.sample_rate_hz, false, true};
   for (std::size_t i = 0; i < config.boards.size(); ++i) {
     auto identity =
         inspect_board(config.boards[i], *devices.boards[i], mode, devices.clock, patience);
-    if (!identity) return tl::unexpected(identity.error());
+    found.away.emplace_back();
+    if (!identity) {
+      const auto known = known_and_away(config.boards[i].name, identity.error(), before);
+      if (!known) return tl::unexpected(identity.error());
+      found.away.back() = identity.error();
+      identity = *known;
+    }
     for (std::size_t other = 0; other < i; ++other) {
       if (found.boards[other].mcu_id != identity->mcu_id) continue;
       return fail(Errc::mismatch,

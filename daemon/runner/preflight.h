@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/campaign.h"
@@ -8,6 +11,7 @@
 #include "drivers/board/board.h"
 #include "drivers/chamber/chamber.h"
 #include "drivers/clock.h"
+#include "schema/store.h"
 
 namespace gyrocal::runner {
 
@@ -22,6 +26,7 @@ struct Devices {
 struct Found {
   ChamberReading chamber;
   std::vector<BoardIdentity> boards;
+  std::vector<std::optional<Error>> away;  ///< why a board is, of a campaign that is gone on with
 };
 
 /// Reads the chamber: it answers, its reading is one a chamber can have, and no program of its own
@@ -38,7 +43,10 @@ struct Found {
                                                   Duration patience);
 
 /// Both, for every device; two boards with the same MCU id are the same board: mismatch.
+/// @param before  the boards of the campaign that is gone on with: one that does not answer counts
+///   as away, as it would if it had gone in the middle. A new campaign begins with all.
 [[nodiscard]] Result<Found> preflight(const CampaignConfig& config, Devices& devices,
-                                      Duration patience);
+                                      Duration patience,
+                                      std::span<const std::pair<BoardId, BoardRow>> before);
 
 }  // namespace gyrocal::runner

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "daemon/runner/after_trip.h"
 #include "daemon/runner/control_socket.h"
 #include "daemon/runner/device_lock.h"
 #include "daemon/runner/disk_room.h"
@@ -13,9 +14,10 @@
 namespace gyrocal::runner {
 namespace {
 
-constexpr double turn_wall_s = 0.02;      ///< of the loop on real endpoints
-constexpr double patience_wall_s = 5;     ///< for a first frame
-constexpr double stop_within_wall_s = 8;  ///< systemd and a person both wait that long
+constexpr double turn_wall_s = 0.02;       ///< of the loop on real endpoints
+constexpr double patience_wall_s = 5;      ///< for a first frame
+constexpr double stop_within_wall_s = 8;   ///< systemd and a person both wait that long
+constexpr double trip_within_wall_s = 50;  ///< then systemd starts it again
 
 }  // namespace
 
@@ -107,6 +109,17 @@ Result<Outcome> run_wired(const CampaignConfig& config, Store& store, const RunO
   return run_recorded(config, *owned, store, options, hooks);
 }
 
+/// For a campaign that has tripped, where nobody re-arms it: its daemon may have died before the
+/// chamber could be told.
+Result<void> complete_wired_trip(const CampaignConfig& config, Store& store, CampaignId campaign) {
+  auto lock = lock_chamber(config.chamber);
+  if (!lock) return tl::unexpected(lock.error());
+  const auto owned = wired_devices(config);
+  auto devices = owned->devices();
+  return complete_trip(config, store, campaign, devices.chamber, devices.clock,
+                       seconds(trip_within_wall_s * config.time_scale));
+}
+
 }  // namespace
 
 Result<Outcome> run_requested(
@@ -124,7 +137,13 @@ Result<Outcome> run_requested(
   if (!store) return tl::unexpected(store.error());
   auto before = left_alone(*store, request);
   if (!before) return tl::unexpected(before.error());
-  if (*before) return **before;
+  if (*before) {
+    const bool tripped = std::holds_alternative<campaign::Safe>((*before)->state);
+    if (!tripped || request.virtual_seed) return **before;
+    auto done = complete_wired_trip(*config, *store, (*before)->campaign);
+    if (!done) return tl::unexpected(done.error());
+    return **before;
+  }
 
   RunOptions options = request.virtual_seed ? virtual_options(*config) : wired_options(*config);
   options.software_version = request.software_version;

@@ -36,7 +36,7 @@ struct ChamberReading {
 class Chamber {
  public:
   virtual ~Chamber() = default;
-  /// @return timeout, link_lost, refused (Modbus exception), bad_frame, not_finite, out_of_range.
+  /// @return timeout, link_lost, refused (Modbus exception), bad_frame, not_finite.
   [[nodiscard]] virtual Result<ChamberReading> read() = 0;
   /// Refuses (out_of_range, not_finite) what lies outside the profile's limits; nothing is sent.
   /// mismatch if another value stands there after three tries: another master.

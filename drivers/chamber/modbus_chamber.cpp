@@ -66,7 +66,7 @@ Result<ChamberRun> ModbusChamber::read_run() {
     if (entry->second == *number) return run;
     known += fmt::format("{}{} {}", known.empty() ? "" : ", ", entry->second, name);
   }
-  return fail(Errc::out_of_range,
+  return fail(Errc::bad_frame,
               fmt::format("run state register {} holds {}, known are {}",
                           profile_.run_state->reg.address, *number, known),
               fmt::format("complete the profile {}", profile_.name));
@@ -171,7 +171,7 @@ Result<int> ModbusChamber::read_number(const RegisterSpec& reg) {
   const auto value = read_value(reg);
   if (!value) return tl::unexpected(value.error());
   if (std::abs(*value) > 65535) {
-    return fail(Errc::out_of_range, fmt::format("register {} holds {}, expected a state's number",
+    return fail(Errc::bad_frame, fmt::format("register {} holds {}, expected a state's number",
                                                 reg.address, *value));
   }
   return static_cast<int>(std::lround(*value));

@@ -20,7 +20,7 @@ class ModbusChamber final : public Chamber {
   /// `link` and `clock` must outlive this.
   ModbusChamber(RequestLink& link, Clock& clock, ChamberProfile profile, int unit);
 
-  /// out_of_range also for a run state whose number the profile does not know.
+  /// bad_frame also for a run state whose number the profile does not know.
   [[nodiscard]] Result<ChamberReading> read() override;
   [[nodiscard]] Result<void> set_setpoint(Celsius to) override;
   /// Writes only what is not so already: chambers take harm from being switched often. Without
