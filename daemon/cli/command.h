@@ -17,6 +17,7 @@ using AddCommand = void (*)(CLI::App& root, Chosen& chosen);
 void add_all_commands(CLI::App& root, Chosen& chosen);
 
 void add_allan(CLI::App& root, Chosen& chosen);
+void add_capsule(CLI::App& root, Chosen& chosen);
 void add_check(CLI::App& root, Chosen& chosen);
 void add_compensate(CLI::App& root, Chosen& chosen);
 void add_db(CLI::App& root, Chosen& chosen);

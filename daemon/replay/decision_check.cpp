@@ -93,7 +93,7 @@ std::optional<Difference> DecisionCheck::first(bool cut_off) const {
                                 "has nothing more",
                                 at(*more_), text_of(*more_)));
   }
-  const Duration end = tape_.now() - origin_ + end_slack;
+  const Duration end = tape_.reached() - origin_ + end_slack;
   const EventInsert* const next = next_recorded();
   if (next && Duration{next->t_ns} <= end) {
     return decision(Duration{next->t_ns}, text_of(*next), "nothing more",

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <future>
 
-#include "daemon/replay/capsule_database.h"
+#include "daemon/replay/capsule_contents.h"
 #include "daemon/replay/run_replay.h"
 #include "daemon/replay/scratch_folder.h"
 #include "schema/compare_campaigns.h"
@@ -32,14 +32,22 @@ Result<std::string> database_beside(const std::string& recording) {
               "--against says where the campaign's database is");
 }
 
+struct Against {
+  std::string path;
+  std::string shown;
+};
 /// The database to compare with: named, inside a capsule (unpacked into the folder), or beside.
-Result<std::string> database_of(const ReplayRequest& request, const ScratchFolder& folder) {
-  if (request.against) return *request.against;
+Result<Against> database_of(const ReplayRequest& request, const ScratchFolder& folder) {
+  if (request.against) return Against{*request.against, *request.against};
   auto recording = RecordingDatabase::open_to_read(request.recording);
   if (!recording) return tl::unexpected(recording.error());
-  const auto inside = take_database(*recording, folder / "capsule.db");
-  if (!inside) return tl::unexpected(inside.error());
-  return *inside ? folder / "capsule.db" : database_beside(request.recording);
+  const std::string unpacked = folder / "capsule.db";
+  const auto note = take_contents(*recording, unpacked);
+  if (!note) return tl::unexpected(note.error());
+  if (*note) return Against{unpacked, "the database inside (" + **note + ")"};
+  auto beside = database_beside(request.recording);
+  if (!beside) return tl::unexpected(beside.error());
+  return Against{*beside, *beside};
 }
 
 using Pass = Result<std::vector<RunResult>>;
@@ -103,9 +111,9 @@ Result<std::vector<RunMaterial>> materials_of(const ReplayRequest& request,
 Result<ReplayReport> replay(const ReplayRequest& request) {
   const auto folder = ScratchFolder::make();
   if (!folder) return tl::unexpected(folder.error());
-  auto against = database_of(request, *folder);
+  const auto against = database_of(request, *folder);
   if (!against) return tl::unexpected(against.error());
-  const auto materials = materials_of(request, *against);
+  const auto materials = materials_of(request, against->path);
   if (!materials) return tl::unexpected(materials.error());
 
   auto second =
@@ -115,9 +123,7 @@ Result<ReplayReport> replay(const ReplayRequest& request) {
   if (!first) return tl::unexpected(first.error());
   if (!again) return tl::unexpected(again.error());
 
-  const bool inside = *against == *folder / "capsule.db";
-  ReplayReport report{
-      request.recording, inside ? "the database inside" : *against, {}, {}, *first == *again};
+  ReplayReport report{request.recording, against->shown, {}, {}, *first == *again};
   for (const RunResult& result : *first) {
     report.runs.push_back(result.run);
     report.difference = result.difference;

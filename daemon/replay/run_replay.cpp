@@ -5,6 +5,7 @@
 #include <charconv>
 #include <memory>
 
+#include "daemon/replay/recorded_span.h"
 #include "daemon/replay/row_check.h"
 #include "schema/campaign_slice.h"
 #include "schema/compare_campaigns.h"
@@ -12,25 +13,6 @@
 
 namespace gyrocal::replay {
 namespace {
-
-/// "CAMPAIGN T_NS", as recorded_hooks() writes it.
-struct Begun {
-  std::int64_t campaign = 0;
-  Duration t{};
-};
-Result<Begun> begun_from(const std::string& text) {
-  Begun begun;
-  Duration::rep t_ns = 0;
-  const char* const end = text.data() + text.size();
-  const auto number = std::from_chars(text.data(), end, begun.campaign);
-  const bool separated = number.ec == std::errc{} && number.ptr != end && *number.ptr == ' ';
-  if (!separated || std::from_chars(number.ptr + 1, end, t_ns).ec != std::errc{}) {
-    return fail(Errc::bad_frame, fmt::format("the recording says a run began at \"{}\"", text),
-                "the file is damaged, or of a newer version");
-  }
-  begun.t = Duration{t_ns};
-  return begun;
-}
 
 /// One run on its way.
 class Replaying {
@@ -167,7 +149,7 @@ Result<void> Replaying::compare_rows() {
   if (!replayed) return tl::unexpected(replayed.error());
   const RowCheck check{{recorded_, CampaignId{*result_.run.campaign}, after_ns()},
                        {*replayed, *campaign_, after_ns()},
-                       tape_.now() - decisions_.origin(),
+                       tape_.reached() - decisions_.origin(),
                        material_.next};
   return check_rows(check, result_);
 }
@@ -182,7 +164,7 @@ Result<RunResult> Replaying::run() {
   if (trouble_) return tl::unexpected(*trouble_);
   result_.run.number = material_.run.id;
   result_.run.software_version = material_.run.software_version;
-  result_.run.to = tape_.now() - decisions_.origin();
+  result_.run.to = tape_.reached() - decisions_.origin();
   result_.run.passed = tape_.counts();
   result_.run.decisions = decisions_.alike();
   if (auto first = decisions_.first(result_.run.cut_off)) result_.difference = std::move(first);

@@ -236,6 +236,13 @@ Result<void> RecordingDatabase::replace_tail(std::int64_t run, const RecordedPie
   return done ? ended : done;
 }
 
+Result<std::int64_t> RecordingDatabase::last_ns(std::int64_t run) {
+  Query query(*this, "SELECT coalesce(max(last_ns), 0) FROM piece WHERE run_id = ?");
+  const auto row = query.bind(run).next();
+  if (!row) return tl::unexpected(row.error());
+  return query.integer(0);
+}
+
 Result<void> RecordingDatabase::attach(const std::string& name, const Bytes& data) {
   return Query(*this, "INSERT INTO attachment (name, data) VALUES (?,?)")
       .bind(name)

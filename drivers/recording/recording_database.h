@@ -48,6 +48,9 @@ class RecordingDatabase {
   /// Puts `piece` in the place of all pieces of the run from its `seq` on, in one transaction.
   [[nodiscard]] Result<void> replace_tail(std::int64_t run, const RecordedPiece& piece);
 
+  /// The latest last_ns of the run's pieces; 0 if there is none.
+  [[nodiscard]] Result<std::int64_t> last_ns(std::int64_t run);
+
   /// Puts something into the file that is not of the links, under a name.
   [[nodiscard]] Result<void> attach(const std::string& name, const Bytes& data);
   [[nodiscard]] Result<std::optional<Bytes>> attachment(const std::string& name);

@@ -112,6 +112,12 @@ Result<std::optional<RecordedEvent>> RecordingReader::next() {
   return std::optional(std::move(events_[at_++]));
 }
 
+Result<Instant> RecordingReader::last() {
+  const auto last_ns = database_.last_ns(run_);
+  if (!last_ns) return tl::unexpected(last_ns.error());
+  return Instant{Duration{*last_ns}};
+}
+
 Result<std::vector<RecordedRun>> recorded_runs(const std::string& path) {
   auto database = RecordingDatabase::open_to_read(path);
   if (!database) return tl::unexpected(database.error());

@@ -53,6 +53,8 @@ class RecordingReader {
   [[nodiscard]] static Result<RecordingReader> open(const std::string& path, std::int64_t run);
   /// @return nothing after the last; bad_frame or storage for a damaged file.
   [[nodiscard]] Result<std::optional<RecordedEvent>> next();
+  /// The time of the run's last event; its clock's zero if there is none.
+  [[nodiscard]] Result<Instant> last();
 
  private:
   RecordingReader(RecordingDatabase database, std::int64_t run)

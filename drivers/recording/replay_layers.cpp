@@ -32,7 +32,7 @@ Tape::Tape(RecordingReader reader, RecordedRun run)
     : reader_(std::move(reader)), run_(std::move(run)) {
   advance();
   if (!next_) return;
-  now_ = next_->end;  // the first event only tells when the recording began
+  now_ = reached_ = next_->end;  // the first event only tells when the recording began
   advance();
 }
 
@@ -52,7 +52,7 @@ Result<RecordedEvent> Tape::answer(const RecordedEvent& call) {
   if (!diverged_ && next_) {
     if (is_answered_by(call, *next_)) {
       RecordedEvent event = std::move(*next_);
-      now_ = event.end;
+      now_ = reached_ = event.end;
       count(event);
       advance();
       return event;

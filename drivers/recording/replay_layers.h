@@ -40,6 +40,8 @@ class Tape {
   Tape(RecordingReader reader, RecordedRun run);
 
   [[nodiscard]] Instant now() const { return now_; }
+  /// The time of the latest thing that was as recorded; now() goes on after the end.
+  [[nodiscard]] Instant reached() const { return reached_; }
   static constexpr const char* asking_utc = "ask for UTC";  ///< in a Divergence
   /// Times in descriptions count from here; else from the clock's own zero.
   void count_from(Instant origin) { origin_ = origin; }
@@ -73,6 +75,7 @@ class Tape {
   RecordedRun run_;
   std::optional<RecordedEvent> next_;
   Instant now_{};
+  Instant reached_{};
   Instant origin_{};
   TapeCounts counts_;
   std::optional<Divergence> diverged_;
