@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 
 #include "compensation/discrepancy/diagnosis.h"
@@ -10,6 +9,9 @@
 #include "daemon/cli/command.h"
 #include "daemon/cli/diagnosis_json.h"
 #include "daemon/cli/outcome.h"
+#include "daemon/cli/plan_file.h"
+#include "daemon/report/diagnosis_report.h"
+#include "gyrocal_version.h"
 #include "schema/session/session_csv.h"
 #include "schema/store.h"
 
@@ -18,7 +20,8 @@ namespace {
 
 struct Options {
   std::string session, database, board, axis = "z";
-  std::string rig_model = default_rig_model, write_rig_model, prediction;
+  std::string rig_model = default_rig_model, write_rig_model, prediction, report, write_plan;
+  std::string campaign;  ///< file of the campaign the session comes from, for write_plan
   int jobs = 1;
   bool json = false, verdict_as_exit_code = false;
 };
@@ -47,17 +50,6 @@ Result<Session> session_of_database(const Options& options) {
                                               options.database, options.board, names));
 }
 
-Result<void> write_text(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out << text;
-  out.close();
-  if (!out) {
-    return fail(Errc::storage, fmt::format("{}: cannot be written", path),
-                "does the folder exist, is there room?");
-  }
-  return {};
-}
-
 std::string prediction_csv(const Diagnosis& diagnosis) {
   std::string text = "t_s,measured_dps,before_dps,after_dps\n";
   for (const PredictionRow& row : diagnosis.prediction) {
@@ -66,6 +58,56 @@ std::string prediction_csv(const Diagnosis& diagnosis) {
     text += fmt::format("{},{},{},{}\n", row.t_s, measured, row.before_dps, row.after_dps);
   }
   return text;
+}
+
+Result<void> write_report(const Options& options, const Session& session,
+                          const Diagnosis& diagnosis) {
+  const std::string source = options.database.empty()
+                                 ? options.session
+                                 : fmt::format("{}, {}", options.database, options.board);
+  const auto html = report::diagnosis_report(
+      session, diagnosis,
+      {fmt::format("{}, axis {}", source, session.axis), options.rig_model, GYROCAL_VERSION});
+  if (!html) return tl::unexpected(html.error());
+  return write_text_file(options.report, *html);
+}
+
+/// The campaign whose plan left names open: the database's own, or the file given.
+Result<CampaignConfig> campaign_of(const Options& options) {
+  if (!options.campaign.empty()) return read_campaign(options.campaign);
+  auto store = Store::open_read_only(options.database);
+  if (!store) return tl::unexpected(store.error());
+  const auto latest = store->latest_campaign();
+  if (!latest) return tl::unexpected(latest.error());
+  const auto row = store->campaign(latest->value());
+  if (!row) return tl::unexpected(row.error());
+  return parse_campaign(row->config_toml, options.database + ": its campaign file");
+}
+
+/// A campaign file that would tell apart the names this session leaves open.
+Result<void> write_plan(const Options& options, const Diagnosis& diagnosis,
+                        const rig::RigModel& model, const std::string& axis_name) {
+  std::vector<EffectPair> open;
+  for (const Finding& finding : diagnosis.findings) {
+    for (const std::string& rival : finding.confounded_with) {
+      open.emplace_back(finding.effect, rival);
+    }
+  }
+  if (open.empty()) {
+    fmt::print(stderr, "no name is left open: {} is not written\n", options.write_plan);
+    return {};
+  }
+  const auto campaign = campaign_of(options);
+  if (!campaign) return tl::unexpected(campaign.error());
+  const rig::SessionPlan plan = session_plan(*campaign);
+  const Axis axis = axis_name == "x" ? Axis::x : axis_name == "y" ? Axis::y : Axis::z;
+  const auto power = plan_power(plan, model, axis);
+  if (!power) return tl::unexpected(power.error());
+  const auto additions = plan_additions(plan, model, axis, *power);
+  if (!additions) return tl::unexpected(additions.error());
+  const auto text = campaign_with_best(*campaign, *additions, open);
+  if (!text) return tl::unexpected(text.error());
+  return write_text_file(options.write_plan, *text);
 }
 
 int verdict_code(Verdict verdict) {
@@ -91,14 +133,25 @@ int run(const Options& options) {
   auto diagnosis = diagnose(*session, *model, {.jobs = options.jobs});
   if (!diagnosis) return report(diagnosis.error());
   if (!options.prediction.empty()) {
-    if (auto written = write_text(options.prediction, prediction_csv(*diagnosis)); !written) {
+    if (auto written = write_text_file(options.prediction, prediction_csv(*diagnosis)); !written) {
       return report(written.error());
     }
   }
   if (!options.write_rig_model.empty()) {
     diagnosis->model.parent_hash = rig_model_hash(*model);
-    const auto written = write_text(options.write_rig_model, rig_model_to_json(diagnosis->model));
+    const auto written =
+        write_text_file(options.write_rig_model, rig_model_to_json(diagnosis->model));
     if (!written) return report(written.error());
+  }
+  if (!options.report.empty()) {
+    if (auto written = write_report(options, *session, *diagnosis); !written) {
+      return report(written.error());
+    }
+  }
+  if (!options.write_plan.empty()) {
+    if (auto written = write_plan(options, *diagnosis, *model, session->axis); !written) {
+      return report(written.error());
+    }
   }
   if (options.json) {
     fmt::print("{}\n", to_json(*diagnosis).dump());
@@ -129,6 +182,13 @@ void add_diagnose(CLI::App& root, Chosen& chosen) {
                       "write the model with what was found added");
   command->add_option("--prediction", options->prediction,
                       "write t_s,measured_dps,before_dps,after_dps for every monitor row");
+  command->add_option("--report", options->report, "write what was found as one HTML file");
+  auto* write_plan = command->add_option(
+      "--write-plan", options->write_plan,
+      "where names are left open: write a campaign file that would tell them apart");
+  auto* campaign = command->add_option("--campaign", options->campaign,
+                                       "the session's campaign file; default: the database's");
+  campaign->needs(write_plan);
   command
       ->add_option("--jobs", options->jobs,
                    "threads (one is used so far); the answer does not depend on it")
@@ -136,9 +196,12 @@ void add_diagnose(CLI::App& root, Chosen& chosen) {
   command->add_flag("--json", options->json, "print JSON");
   command->add_flag("--exit-code", options->verdict_as_exit_code,
                     "exit 0 consistent, 10 explained, 11 unexplained, 12 confounded");
-  command->callback([options, session, database, &chosen] {
+  command->callback([options, session, database, write_plan, campaign, &chosen] {
     if (session->empty() && database->empty()) {
       throw CLI::RequiredError("--session DIR or --db FILE");
+    }
+    if (!write_plan->empty() && database->empty() && campaign->empty()) {
+      throw CLI::RequiredError("--campaign FILE, for --write-plan of a session directory");
     }
     chosen = [options] { return run(*options); };
   });

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "compensation/discrepancy/segments.h"
+#include "compensation/rig/effects/catalogue.h"
 #include "daemon/report/gnuplot.h"
 #include "daemon/report/page.h"
 
@@ -205,9 +206,12 @@ void add_limits(Page& page, const Diagnosis& diagnosis) {
   page.paragraph("Smallest amplitude of each effect that would have passed the gate here.");
   std::vector<std::vector<std::string>> rows;
   for (const auto& [name, limit] : diagnosis.detection_limits) {
-    rows.push_back({name, fmt::format("{:.3g}", limit)});
+    const rig::Effect* const effect = rig::find_effect(name);
+    rows.push_back(
+        {name, fmt::format("{:.3g}", limit),
+         effect == nullptr ? "" : std::string(effect->laws.front()->info.parameters.front().unit)});
   }
-  page.table({"effect", "from"}, rows);
+  page.table({"effect", "from", "unit"}, rows);
   if (!diagnosis.not_observable.empty()) {
     page.paragraph(fmt::format("Not observable in this session: {}.",
                                fmt::join(diagnosis.not_observable, ", ")));

@@ -95,7 +95,7 @@ std::string gnuplot_script(const Figure& figure) {
   std::string script =
       "set terminal svg size 900,420 dynamic noenhanced font 'sans-serif,13' background '#ffffff'\n"
       "set encoding utf8\nset grid lc rgb '#dddddd'\nset border 3 lc rgb '#555555'\n"
-      "set tics nomirror\nset key top right opaque\n";
+      "set tics nomirror\nset key below\nset autoscale xfix\n";
   script += fmt::format("set title {} noenhanced\nset xlabel {}\nset ylabel {}\n",
                         quoted(figure.title), quoted(figure.x_label), quoted(figure.y_label));
   if (figure.log_x) script += "set logscale x\n";
