@@ -80,16 +80,20 @@ judge: build
 	$(BUILD)/gyrocal_hidden_sessions --out build/judge --set full --seed 1
 	$(BUILD)/gyrocal_judge --gyrocal $(BUILD)/gyrocal --sessions build/judge --jobs $(JOBS)
 
-# The whole suite under the sanitizers, then ten million inputs for every reader of bytes.
+# The whole suite under the sanitizers, ten million inputs for every reader of bytes and texts, and
+# campaigns with random faults from a seed that differs each time: SEEDS= and FIRST= repeat them.
+SEEDS ?= 20000
+FIRST ?= $(shell date +%s)000
 soak: build
 	@for preset in dev tsan; do
 	  cmake --preset $$preset >build/configure-$$preset.log
 	  cmake --build --preset $$preset -j $(JOBS)
 	  ctest --preset $$preset -j $(JOBS)
 	done
-	for fuzz in fuzz_board fuzz_modbus fuzz_recording; do
+	for fuzz in fuzz_board fuzz_modbus fuzz_recording fuzz_campaign_toml fuzz_session_csv; do
 	  $(BUILD)/tests/fuzz/$$fuzz 10000000
 	done
+	$(BUILD)/tests/faults/fault_campaigns $(SEEDS) $(FIRST)
 
 install: build
 	@cmake --install $(BUILD) --prefix "$(PREFIX)"
