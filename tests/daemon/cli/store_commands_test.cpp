@@ -1,7 +1,10 @@
+#include <fmt/core.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "schema/migrate.h"
 #include "schema/session/session_csv.h"
 #include "schema/sqlite.h"
 #include "tests/daemon/cli/run_gyrocal.h"
@@ -69,7 +72,8 @@ TEST_CASE("gyrocal db checks, copies and migrates", "[cli][store]") {
   CHECK(dump(folder / "a.db") == dump(folder / "b.db"));
   CHECK(run_gyrocal("db backup " + (folder / "a.db") + " " + (folder / "b.db")).exit_code == 1);
   CHECK(run_gyrocal("db migrate " + (folder / "a.db")).out ==
-        folder / "a.db" + ": schema 1, nothing to do\n");
+        fmt::format("{}: schema {}, nothing to do\n", folder / "a.db",
+                    newest_version(embedded_migrations())));
   REQUIRE(Database::open(folder / "a.db", OpenMode::read_write_create)
               .value()
               .execute("DELETE FROM sample WHERE seq = 1"));
