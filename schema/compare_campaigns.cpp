@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "schema/close_cells.h"
 #include "schema/store_impl.h"
 
 namespace gyrocal {
@@ -106,9 +107,9 @@ std::string name_of(const Statement& row, const Listing& listing) {
 }
 
 std::optional<RowDifference> difference(const Statement& expected, const Statement& got,
-                                        const Listing& listing) {
+                                        const Listing& listing, double relative) {
   for (int column = 0; column < expected.columns(); ++column) {
-    if (expected.cell(column) == got.cell(column)) continue;
+    if (are_close(expected.cell(column), got.cell(column), relative)) continue;
     return RowDifference{expected.integer(0), name_of(expected, listing),
                          expected.column_name(column), text_of(expected, column),
                          text_of(got, column)};
@@ -142,7 +143,7 @@ Result<void> note_beyond(Statement& longer, bool is_expected, const Listing& lis
 /// @param expected_of, got_of  what ?1 stands for.
 Result<void> compare_listing(const CampaignWindow& expected, std::int64_t expected_of,
                              const CampaignWindow& got, std::int64_t got_of, const Listing& listing,
-                             PartComparison& comparison) {
+                             double relative, PartComparison& comparison) {
   auto left = rows_of(expected, listing, expected_of);
   if (!left) return tl::unexpected(left.error());
   auto right = rows_of(got, listing, got_of);
@@ -156,7 +157,7 @@ Result<void> compare_listing(const CampaignWindow& expected, std::int64_t expect
     if (*in_left != *in_right) {
       return note_beyond(*in_left ? *left : *right, *in_left, listing, comparison);
     }
-    if (const auto differs = difference(*left, *right, listing)) {
+    if (const auto differs = difference(*left, *right, listing, relative)) {
       const auto& first = comparison.difference;
       if (!first || differs->t_ns < first->t_ns) comparison.difference = differs;
       return {};
@@ -175,14 +176,16 @@ Result<std::vector<std::int64_t>> boards_of(const CampaignWindow& window) {
 }
 
 /// Board by board: a crash may leave the boards' streams at different ends.
-Result<PartComparison> compare_monitor(const CampaignWindow& expected, const CampaignWindow& got) {
+Result<PartComparison> compare_monitor(const CampaignWindow& expected, const CampaignWindow& got,
+                                       double relative) {
   const auto left = boards_of(expected);
   if (!left) return tl::unexpected(left.error());
   const auto right = boards_of(got);
   if (!right) return tl::unexpected(right.error());
   PartComparison comparison;
   for (std::size_t i = 0; i < std::min(left->size(), right->size()); ++i) {
-    auto done = compare_listing(expected, (*left)[i], got, (*right)[i], monitor, comparison);
+    auto done =
+        compare_listing(expected, (*left)[i], got, (*right)[i], monitor, relative, comparison);
     if (!done) return tl::unexpected(done.error());
   }
   return comparison;
@@ -191,11 +194,11 @@ Result<PartComparison> compare_monitor(const CampaignWindow& expected, const Cam
 }  // namespace
 
 Result<PartComparison> compare_campaigns(const CampaignWindow& expected, const CampaignWindow& got,
-                                         CampaignPart part) {
-  if (part == CampaignPart::monitor) return compare_monitor(expected, got);
+                                         CampaignPart part, double relative) {
+  if (part == CampaignPart::monitor) return compare_monitor(expected, got, relative);
   PartComparison comparison;
   auto done = compare_listing(expected, key(expected.campaign), got, key(got.campaign),
-                              listing_of(part), comparison);
+                              listing_of(part), relative, comparison);
   if (!done) return tl::unexpected(done.error());
   return comparison;
 }

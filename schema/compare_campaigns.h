@@ -20,8 +20,8 @@ struct CampaignWindow {
   std::int64_t to_ns = std::numeric_limits<std::int64_t>::max();
 };
 
-/// What of a campaign is compared. Ids and the version of the software are left out; the rest to
-/// the last bit.
+/// What of a campaign is compared. Ids and the version of the software are left out, and what later
+/// schemas have added to models: those stored before have none of it.
 enum class CampaignPart { events, dwells, samples, monitor, drifts, models, model_points };
 inline constexpr CampaignPart all_campaign_parts[] = {
     CampaignPart::events, CampaignPart::dwells, CampaignPart::samples,     CampaignPart::monitor,
@@ -49,9 +49,10 @@ struct PartComparison {
 };
 
 /// Row by row, in the order they were stored.
+/// @param relative  what numbers may differ by; 0: not by a bit.
 [[nodiscard]] Result<PartComparison> compare_campaigns(const CampaignWindow& expected,
-                                                       const CampaignWindow& got,
-                                                       CampaignPart part);
+                                                       const CampaignWindow& got, CampaignPart part,
+                                                       double relative = 0);
 
 /// The journal of a campaign in a window, in the order it was written.
 [[nodiscard]] Result<std::vector<EventInsert>> events_in(const CampaignWindow& window);

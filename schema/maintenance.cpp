@@ -72,4 +72,20 @@ Result<Migrated> migrate_database(const std::string& path) {
   return Migrated{from, newest, fmt::format("{}.schema-{}", path, from)};
 }
 
+Result<bool> copy_if_older(const std::string& path, const std::string& target) {
+  if (open_to_read(path)) return false;  // also where nobody can write
+  {
+    const auto database = Database::open(path, OpenMode::read_only);
+    if (!database) return tl::unexpected(database.error());
+    const int newest = newest_version(embedded_migrations());
+    const auto state = schema_state(*database, newest);
+    if (!state) return tl::unexpected(state.error());
+    if (state->empty) return fail(Errc::mismatch, path + ": holds nothing");
+    if (auto copied = backup(*database, target); !copied) return tl::unexpected(copied.error());
+  }
+  const auto migrated = migrate_database(target);
+  if (!migrated) return tl::unexpected(migrated.error());
+  return true;
+}
+
 }  // namespace gyrocal

@@ -24,4 +24,8 @@ struct Migrated {
 /// Brings an existing database to the present schema, a copy kept beside it.
 [[nodiscard]] Result<Migrated> migrate_database(const std::string& path);
 
+/// Writes a copy of the present schema to `target` if the database is of an older one, which stays
+/// as it is. @return whether it was; mismatch: a newer one, or another application's.
+[[nodiscard]] Result<bool> copy_if_older(const std::string& path, const std::string& target);
+
 }  // namespace gyrocal

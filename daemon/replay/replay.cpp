@@ -9,6 +9,7 @@
 #include "daemon/replay/run_replay.h"
 #include "daemon/replay/scratch_folder.h"
 #include "schema/compare_campaigns.h"
+#include "schema/maintenance.h"
 #include "schema/open_database.h"
 
 namespace gyrocal::replay {
@@ -36,18 +37,31 @@ struct Against {
   std::string path;
   std::string shown;
 };
+/// A database of an older schema is compared as a migrated copy; it stays as it is.
+Result<Against> of_present_schema(const std::string& path, const ScratchFolder& folder) {
+  const std::string copy = folder / "migrated.db";
+  const auto older = copy_if_older(path, copy);
+  if (!older) return tl::unexpected(older.error());
+  return Against{*older ? copy : path, path};
+}
+
 /// The database to compare with: named, inside a capsule (unpacked into the folder), or beside.
 Result<Against> database_of(const ReplayRequest& request, const ScratchFolder& folder) {
-  if (request.against) return Against{*request.against, *request.against};
+  if (request.against) return of_present_schema(*request.against, folder);
   auto recording = RecordingDatabase::open_to_read(request.recording);
   if (!recording) return tl::unexpected(recording.error());
   const std::string unpacked = folder / "capsule.db";
   const auto note = take_contents(*recording, unpacked);
   if (!note) return tl::unexpected(note.error());
-  if (*note) return Against{unpacked, "the database inside (" + **note + ")"};
+  if (*note) {
+    if (auto migrated = migrate_database(unpacked); !migrated) {
+      return tl::unexpected(migrated.error());
+    }
+    return Against{unpacked, "the database inside (" + **note + ")"};
+  }
   auto beside = database_beside(request.recording);
   if (!beside) return tl::unexpected(beside.error());
-  return Against{*beside, *beside};
+  return of_present_schema(*beside, folder);
 }
 
 using Pass = Result<std::vector<RunResult>>;

@@ -103,7 +103,7 @@ SCENARIO("a sample, a model or a journal line changed afterwards is found") {
   }
   SECTION("model") {
     sql(database,
-        "UPDATE model SET rmse_dps = rmse_dps + 1e-9 WHERE axis = 'y' AND method = 'gm11'");
+        "UPDATE model SET rmse_dps = rmse_dps * 1.00001 WHERE axis = 'y' AND method = 'gm11'");
     const auto report = replayed({recorded.recording});
     REQUIRE(report.difference);
     CHECK(report.difference->what == "model");
