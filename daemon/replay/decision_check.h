@@ -34,6 +34,8 @@ class DecisionCheck {
   /// Campaign time 0 is `origin`; `recorded` is what this run wrote, in order.
   void begin(Instant origin, std::vector<EventInsert> recorded);
   void decided(const EventInsert& event);
+  /// What was decided last could not be stored then: the journal does not have it.
+  void not_stored() { more_.reset(); }
   /// A decision differs, or what passed the links.
   [[nodiscard]] bool differs() const { return decision_.has_value() || tape_.diverged(); }
   /// After the end of the run, however it came.

@@ -95,6 +95,7 @@ Result<void> Replaying::expect_recorded(CampaignId campaign) {
 Result<void> Replaying::may_store() {
   if (trouble_) return tl::unexpected(*trouble_);
   if (const auto failed = tape_.input_if(runner::input::not_stored)) {
+    decisions_.not_stored();
     return fail(Errc::storage, *failed);
   }
   if (!tape_.over() && !decisions_.differs()) return {};

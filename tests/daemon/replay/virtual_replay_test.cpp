@@ -62,6 +62,25 @@ SCENARIO("a stop, a resumption and an operator's commands are part of what is do
   CHECK(report.runs[0].dwells + report.runs[1].dwells >= 3);
 }
 
+SCENARIO("a database that could not be written ends the replay where it ended the campaign") {
+  const TemporaryFolder folder;
+  runner::RunHooks hooks = quiet();
+  int turns = 0;
+  hooks.progress = [&](const runner::Snapshot&) {
+    if (++turns != 200) return;
+    sql(folder / "small.db",
+        "CREATE TRIGGER full BEFORE INSERT ON event BEGIN SELECT RAISE(FAIL, 'no room'); END");
+  };
+  const auto outcome = record_virtually(folder, small_campaign, hooks);
+  REQUIRE_FALSE(outcome);
+  const auto report = replayed({folder / "small.recording.db"});
+  CHECK(report.passed());
+  CAPTURE(report.runs.at(0).ended);
+  CHECK(report.runs.at(0).ended == to_text(outcome.error()));
+  CHECK(report.runs.at(0).ended.find("store event") != std::string::npos);
+  CHECK(report.runs.at(0).decisions > 0);
+}
+
 SCENARIO("a looser stability limit decides earlier, and the first such decision is named") {
   const Recorded recorded;
   std::string looser = small_campaign;
