@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "daemon/replay/request_text.h"
 #include "daemon/runner/link_layers.h"
 
 namespace gyrocal::replay {
@@ -39,6 +40,9 @@ ReplayDevices::ReplayDevices(RecordingReader reader, const RecordedRun& run,
       clock_(tape_),
       chamber_link_(tape_, stream_of(run, runner::link_names(config).front())),
       chamber_(chamber_link_, clock_, config.chamber.profile, config.chamber.unit) {
+  tape_.explain_requests([profile = config.chamber.profile](std::span<const std::uint8_t> bytes) {
+    return request_text(profile, bytes);
+  });
   const BoardTiming timing =
       begun.in_virtual_time ? BoardTiming{} : BoardTiming::for_time_scale(config.time_scale);
   const auto names = runner::link_names(config);

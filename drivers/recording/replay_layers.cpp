@@ -113,7 +113,8 @@ std::string Tape::describe(const RecordedEvent& event) const {
     case Kind::reopened:
       return fmt::format("open {}", link);
     case Kind::transacted:
-      return fmt::format("ask {} {:02x}", link, fmt::join(event.sent, " "));
+      return fmt::format("ask {} {:02x}", link, fmt::join(event.sent, " ")) +
+             (meaning_ ? " (" + meaning_(event.sent) + ")" : "");
     case Kind::input:
       return std::string(event.sent.begin(), event.sent.end());
   }

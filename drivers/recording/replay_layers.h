@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,6 +46,10 @@ class Tape {
   static constexpr const char* asking_utc = "ask for UTC";  ///< in a Divergence
   /// Times in descriptions count from here; else from the clock's own zero.
   void count_from(Instant origin) { origin_ = origin; }
+  /// What requests mean, for descriptions: beside their bytes.
+  void explain_requests(std::function<std::string(std::span<const std::uint8_t>)> meaning) {
+    meaning_ = std::move(meaning);
+  }
   void pass_to(Instant when) { now_ = std::max(now_, when); }
   [[nodiscard]] const std::optional<Divergence>& diverged() const { return diverged_; }
   /// There is no more: the recording was cut off here, or the program does more than it did.
@@ -75,6 +80,7 @@ class Tape {
   RecordedRun run_;
   std::optional<RecordedEvent> next_;
   Instant now_{};
+  std::function<std::string(std::span<const std::uint8_t>)> meaning_;
   Instant reached_{};
   Instant origin_{};
   TapeCounts counts_;

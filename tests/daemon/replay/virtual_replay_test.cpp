@@ -146,6 +146,8 @@ SCENARIO("another ramp sends other setpoints: the first command that differs is 
   CHECK(report.difference->what == "command");
   CHECK(report.difference->expected.find("ask chamber 01 10 06 ce") == 0);
   CHECK(report.difference->got.find("ask chamber 01 10 06 ce") == 0);
+  CHECK(report.difference->expected.find("(setpoint ") != std::string::npos);
+  CHECK(report.difference->sentence.find("the replay does: ask chamber") != std::string::npos);
 }
 
 }  // namespace gyrocal::replay
