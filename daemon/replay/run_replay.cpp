@@ -7,6 +7,7 @@
 
 #include "daemon/replay/recorded_span.h"
 #include "daemon/replay/row_check.h"
+#include "daemon/runner/after_trip.h"
 #include "schema/campaign_slice.h"
 #include "schema/compare_campaigns.h"
 #include "schema/open_database.h"
@@ -29,9 +30,11 @@ class Replaying {
  private:
   [[nodiscard]] runner::RunHooks hooks();
   void begin(CampaignId campaign, Duration t);
+  [[nodiscard]] std::string repeat();
+  void complete_trip();
   [[nodiscard]] Result<void> expect_recorded(CampaignId campaign);
   [[nodiscard]] Result<void> may_store();
-  void end(const Result<runner::Outcome>& outcome);
+  void end(const std::string& now);
   [[nodiscard]] Result<void> compare_rows();
   [[nodiscard]] std::int64_t after_ns() const;
 
@@ -125,7 +128,31 @@ runner::RunHooks Replaying::hooks() {
   return hooks;
 }
 
-void Replaying::end(const Result<runner::Outcome>& outcome) {
+/// A run that told a chamber after a trip has no journal but the one line it ends with.
+void Replaying::complete_trip() {
+  const auto& resumed = *material_.begun.resumed;
+  campaign_ = CampaignId{resumed.campaign};
+  result_.run.campaign = resumed.campaign;
+  result_.run.from = Duration{resumed.t_last_ns};
+  decisions_.begin(tape_.now() - result_.run.from, {});
+  tape_.count_from(decisions_.origin());
+  static_cast<void>(tape_.input(runner::input::begun));  // shows in the tape if it is not there
+}
+
+/// The run itself. @return how it ended.
+std::string Replaying::repeat() {
+  const auto& options = material_.begun.options;
+  auto devices = devices_->devices();
+  if (!material_.begun.completes_trip || !material_.begun.resumed) {
+    return runner::ended_text(
+        runner::run_campaign(material_.config, devices, *store_, options, hooks()));
+  }
+  complete_trip();
+  return runner::ended_text(runner::complete_trip(
+      material_.config, *store_, *campaign_, devices.chamber, devices.clock, options.stop_within));
+}
+
+void Replaying::end(const std::string& now) {
   if (decisions_.differs()) return;
   if (tape_.ended()) {
     result_.run.cut_off = true;
@@ -134,7 +161,6 @@ void Replaying::end(const Result<runner::Outcome>& outcome) {
   const auto recorded = tape_.input(runner::input::ended);
   if (!recorded) return;  // it went on: shows in the tape
   result_.run.ended = *recorded;
-  const std::string now = runner::ended_text(outcome);
   if (now == *recorded) return;
   result_.difference = {
       0,
@@ -159,8 +185,7 @@ Result<RunResult> Replaying::run() {
   auto store = Store::open(material_.database);
   if (!store) return tl::unexpected(store.error());
   store_.emplace(std::move(*store));
-  end(runner::run_campaign(material_.config, devices_->devices(), *store_, material_.begun.options,
-                           hooks()));
+  end(repeat());
   store_.reset();
   if (trouble_) return tl::unexpected(*trouble_);
   result_.run.number = material_.run.id;

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "daemon/runner/begin.h"
 #include "daemon/runner/make_safe.h"
 
 namespace gyrocal::runner {
@@ -24,11 +25,11 @@ Result<void> complete_trip(const CampaignConfig& config, Store& store, CampaignI
   if (!left) return tl::unexpected(left.error());
   if (*left != AfterTrip::unconfirmed) return {};
   if (auto done = make_chamber_safe(config, chamber, clock, within); !done) return done;
-  const auto events = store.events(campaign);
-  if (!events) return tl::unexpected(events.error());
-  const std::int64_t t_ns = events->empty() ? 0 : events->back().t_ns;
+  const auto open = store.open_campaign();
+  if (!open) return tl::unexpected(open.error());
+  const Duration last{*open ? (*open)->t_last_ns : 0};
   return store.add_event(
-      campaign, {t_ns, clock.utc_ns(), "info", "safe_setpoint",
+      campaign, {(last + apart_from_before).count(), clock.utc_ns(), "info", "safe_setpoint",
                  fmt::format("the chamber has confirmed its safe setpoint {:.1f} degC to a daemon "
                              "started after the trip",
                              config.plan.safe_setpoint.value)});

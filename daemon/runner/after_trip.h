@@ -16,8 +16,9 @@ enum class AfterTrip {
 };
 [[nodiscard]] Result<AfterTrip> after_trip(const Store& store, CampaignId campaign);
 
-/// Does it: tries the safe setpoint for `within` where it is unconfirmed, and puts the confirmation
-/// on record. @return what make_chamber_safe() and the store return.
+/// Does it, as of ten seconds after the latest row, as a resumed run would: tries the safe setpoint
+/// for `within` where it is unconfirmed, and puts the confirmation on record. @return what
+/// make_chamber_safe() and the store return.
 [[nodiscard]] Result<void> complete_trip(const CampaignConfig& config, Store& store,
                                          CampaignId campaign, Chamber& chamber, Clock& clock,
                                          Duration within);

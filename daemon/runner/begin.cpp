@@ -7,9 +7,6 @@
 namespace gyrocal::runner {
 namespace {
 
-/// More than an interval of the slow stream, so that none is begun twice.
-constexpr Duration apart_from_before = seconds(2 * campaign::monitor_interval_s);
-
 CampaignRow row_of(const CampaignConfig& config, const std::string& version, std::int64_t utc_ns) {
   CampaignRow row;
   row.name = config.name;

@@ -4,6 +4,10 @@
 
 namespace gyrocal::runner {
 
+/// What goes on with a campaign begins so long after the latest row: more than an interval of the
+/// slow stream, so that none is begun twice.
+inline constexpr Duration apart_from_before = seconds(2 * campaign::monitor_interval_s);
+
 /// The rows a new campaign starts from.
 [[nodiscard]] Result<CampaignLoop::Begin> begin_new(const CampaignConfig& config,
                                                     const Found& found, const Clock& clock,

@@ -36,6 +36,7 @@ Circumstances parsed(const nlohmann::json& json) {
   c.options.monitor_rows_per_write = json.at("monitor_rows_per_write").get<std::size_t>();
   c.options.utc_rate = json.at("utc_rate").get<double>();
   c.options.resume = json.at("resume").get<bool>();
+  c.completes_trip = json.value("completes_trip", false);  // younger than the format
   if (json.contains("resumed")) {
     const auto& resumed = json.at("resumed");
     c.resumed = {resumed.at("campaign").get<std::int64_t>(), resumed.at("state").get<std::string>(),
@@ -63,6 +64,7 @@ std::string to_json(const Circumstances& c) {
       {"monitor_rows_per_write", c.options.monitor_rows_per_write},
       {"utc_rate", c.options.utc_rate},
       {"resume", c.options.resume},
+      {"completes_trip", c.completes_trip},
       {"chamber_profile", c.chamber_profile},
   };
   if (c.resumed) {
@@ -99,6 +101,14 @@ std::optional<campaign::Event> command_named(const std::string& text) {
   return std::nullopt;
 }
 
+std::string begun_text(CampaignId campaign, Duration t) {
+  return fmt::format("{} {}", static_cast<std::int64_t>(campaign), t.count());
+}
+
+std::string ended_text(const Result<void>& completed) {
+  return completed ? "safe, completed" : to_text(completed.error());
+}
+
 std::string ended_text(const Result<Outcome>& outcome) {
   if (!outcome) return to_text(outcome.error());
   const std::string state = campaign::name(outcome->state);
@@ -127,8 +137,7 @@ RunHooks recorded_hooks(RunHooks hooks, Recorder& recorder) {
     return bytes;
   };
   recorded.begun = [told = hooks.begun, &recorder](CampaignId campaign, Duration t) {
-    recorder.input(input::begun,
-                   fmt::format("{} {}", static_cast<std::int64_t>(campaign), t.count()));
+    recorder.input(input::begun, begun_text(campaign, t));
     if (told) told(campaign, t);
   };
   recorded.storing.not_stored = [told = hooks.storing.not_stored, &recorder](const Error& error) {

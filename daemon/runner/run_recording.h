@@ -26,6 +26,7 @@ struct Circumstances {
     std::int64_t t_last_ns = 0;
   };
   std::optional<Resumed> resumed;
+  bool completes_trip = false;  ///< complete_trip() within options.stop_within, not run_campaign()
 };
 
 /// As RecordedRun::circumstances holds it: JSON.
@@ -47,6 +48,12 @@ inline constexpr char not_stored[] = "fail to store a row";  ///< to_text() of t
 /// "pause", and back. Only an operator's commands have a name.
 [[nodiscard]] std::string command_text(const campaign::Event& command);
 [[nodiscard]] std::optional<campaign::Event> command_named(const std::string& text);
+
+/// What is recorded as input::begun.
+[[nodiscard]] std::string begun_text(CampaignId campaign, Duration t);
+
+/// How complete_trip() ended.
+[[nodiscard]] std::string ended_text(const Result<void>& completed);
 
 /// How a run ended, for comparison: "finished", "stopped while ramping", "safe: ...", an error.
 [[nodiscard]] std::string ended_text(const Result<Outcome>& outcome);

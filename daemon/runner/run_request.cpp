@@ -76,8 +76,10 @@ Result<Outcome> run_recorded(const CampaignConfig& config, OwnedDevices& owned, 
 
 /// What this run begins with, for its recording.
 Result<RecordedRun> recorded_run(const CampaignConfig& config, const Store& store,
-                                 const RunOptions& options, bool in_virtual_time) {
-  Circumstances circumstances{options, in_virtual_time, config.chamber.profile.text, {}};
+                                 const RunOptions& options, bool in_virtual_time,
+                                 bool completes_trip = false) {
+  Circumstances circumstances{
+      options, in_virtual_time, config.chamber.profile.text, {}, completes_trip};
   auto open = options.resume ? store.open_campaign() : std::nullopt;
   if (!open) return tl::unexpected(open.error());
   if (*open) {
@@ -109,15 +111,38 @@ Result<Outcome> run_wired(const CampaignConfig& config, Store& store, const RunO
   return run_recorded(config, *owned, store, options, hooks);
 }
 
+Result<void> complete_recorded(const CampaignConfig& config, OwnedDevices& owned, Store& store,
+                               const OpenCampaign& open, Duration within) {
+  auto devices = owned.devices();
+  Recorder* const recorder = owned.recorder();
+  if (recorder) recorder->input(input::begun, begun_text(open.id, Duration{open.t_last_ns}));
+  auto done = complete_trip(config, store, open.id, devices.chamber, devices.clock, within);
+  if (recorder) recorder->input(input::ended, ended_text(done));
+  return done;
+}
+
 /// For a campaign that has tripped, where nobody re-arms it: its daemon may have died before the
 /// chamber could be told.
-Result<void> complete_wired_trip(const CampaignConfig& config, Store& store, CampaignId campaign) {
+Result<void> complete_wired_trip(const CampaignConfig& config, Store& store, CampaignId campaign,
+                                 const RunRequest& request, const std::string& database) {
+  const auto left = after_trip(store, campaign);
+  if (!left) return tl::unexpected(left.error());
+  if (*left != AfterTrip::unconfirmed) return {};
   auto lock = lock_chamber(config.chamber);
   if (!lock) return tl::unexpected(lock.error());
-  const auto owned = wired_devices(config);
-  auto devices = owned->devices();
-  return complete_trip(config, store, campaign, devices.chamber, devices.clock,
-                       seconds(trip_within_wall_s * config.time_scale));
+  const auto open = store.open_campaign();
+  if (!open) return tl::unexpected(open.error());
+  if (!*open) return {};
+  RunOptions options = wired_options(config);
+  options.software_version = request.software_version;
+  options.resume = true;
+  options.stop_within = seconds(trip_within_wall_s * config.time_scale);
+  const auto run = recorded_run(config, store, options, false, true);
+  if (!run) return tl::unexpected(run.error());
+  std::optional<RunRecording> recording;
+  if (request.record.value_or(true)) recording.emplace(database, *run, flush_every(config, false));
+  const auto owned = wired_devices(config, recording ? recording->writer() : nullptr);
+  return complete_recorded(config, *owned, store, **open, options.stop_within);
 }
 
 }  // namespace
@@ -140,7 +165,7 @@ Result<Outcome> run_requested(
   if (*before) {
     const bool tripped = std::holds_alternative<campaign::Safe>((*before)->state);
     if (!tripped || request.virtual_seed) return **before;
-    auto done = complete_wired_trip(*config, *store, (*before)->campaign);
+    auto done = complete_wired_trip(*config, *store, (*before)->campaign, request, path);
     if (!done) return tl::unexpected(done.error());
     return **before;
   }

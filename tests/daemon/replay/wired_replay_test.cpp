@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "daemon/replay/recorded_span.h"
 #include "schema/compare_campaigns.h"
 #include "schema/open_database.h"
 #include "tests/daemon/replay/recorded_campaign.h"
@@ -93,6 +94,22 @@ SCENARIO("killed in the middle, the recording lacks at most the last second, and
   CHECK(whole.runs[0].cut_off);
   CHECK(whole.runs[1].ended == "finished");
   CHECK(whole.runs[1].models > 0);
+}
+
+SCENARIO("a chamber told after a trip by the next daemon is recorded and told again") {
+  const TemporaryFolder folder;
+  const ServedRig rig(folder);
+  static_cast<void>(request_in(folder, rig));
+  CHECK(run_daemon(folder, 2'000'000) == -1);
+  sql(folder / "wired.db", "UPDATE campaign SET state = 'safe'");  // it tripped as it died
+  CHECK(run_daemon(folder, std::nullopt) == 3);
+  CHECK(journal(folder / "wired.db").back().kind == "safe_setpoint");
+  const auto report = replayed({folder / "wired.recording.db"});
+  CHECK(report.passed());
+  REQUIRE(report.runs.size() == 2);
+  CHECK(report.runs[1].ended == "safe, completed");
+  CHECK(report.runs[1].passed.requests > 0);
+  CHECK(recorded_spans(folder / "wired.recording.db")->size() == 2);
 }
 
 SCENARIO("a recording that cannot go on is told once and costs the campaign nothing") {
