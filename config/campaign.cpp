@@ -27,6 +27,7 @@ Result<CampaignConfig> parse_campaign(const std::string& text, const std::string
   read_stability(sections.stability, campaign.stability);
   read_limits(sections.limits, campaign.limits);
   read_analysis(sections.analysis, campaign.analysis);
+  read_acceptance(sections.acceptance, campaign.acceptance);
   sections.refuse_unknown_keys();
   root.refuse_unknown_keys();
   // Values that stand for unread ones would only raise problems that are none.

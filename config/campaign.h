@@ -86,6 +86,12 @@ struct AnalysisConfig {
   std::string rule = "approximation";
 };
 
+/// What a report holds the recommended model's held-out error against. Absent: not judged.
+struct AcceptanceConfig {
+  std::optional<double> pass_dps;    ///< at most: PASS
+  std::optional<double> reject_dps;  ///< above: REJECT; between: MARGINAL. Default: pass_dps
+};
+
 /// A whole campaign file, checked: every number finite and in range, every name unique.
 struct CampaignConfig {
   std::string name;
@@ -98,6 +104,7 @@ struct CampaignConfig {
   StabilityConfig stability;
   LimitConfig limits;
   AnalysisConfig analysis;
+  AcceptanceConfig acceptance;
   std::string text;  ///< the file as read: provenance
 };
 

@@ -36,10 +36,11 @@ CampaignSections::CampaignSections(TomlSection& root)
       stability(root.section("stability")),
       limits(root.section("limits")),
       analysis(root.section("analysis")),
+      acceptance(root.section("acceptance")),
       boards(root.sections("board")) {}
 
 void CampaignSections::refuse_unknown_keys() {
-  for (auto* table : {&general, &plan, &chamber, &stability, &limits, &analysis}) {
+  for (auto* table : {&general, &plan, &chamber, &stability, &limits, &analysis, &acceptance}) {
     table->refuse_unknown_keys();
   }
   for (auto& board : boards) board.refuse_unknown_keys();
@@ -134,6 +135,19 @@ void read_limits(TomlSection& table, LimitConfig& into) {
   into.dwell_attempts_max = whole(table, "dwell_attempts_max", into.dwell_attempts_max, {1, 100});
   number(table, "board_away_s_max", into.board_away_s_max, wait);
   number(table, "dwell_band_k", into.dwell_band.value, {0.001, 20, "K"});
+}
+
+void read_acceptance(TomlSection& table, AcceptanceConfig& into) {
+  constexpr NumberRange error{0, 1000, "deg/s"};
+  // Both keys are known, there or not.
+  const double pass_dps = table.number("pass_dps", 0, error);
+  const double reject_dps = table.number("reject_dps", pass_dps, error);
+  if (table.has("pass_dps")) into.pass_dps = pass_dps;
+  if (table.has("reject_dps")) into.reject_dps = reject_dps;
+  if (into.reject_dps && (!into.pass_dps || *into.reject_dps < *into.pass_dps)) {
+    table.expected("reject_dps", Errc::out_of_range,
+                   "at least pass_dps, which must stand beside it");
+  }
 }
 
 void read_analysis(TomlSection& table, AnalysisConfig& into) {

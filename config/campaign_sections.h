@@ -20,6 +20,7 @@ struct CampaignSections {
   TomlSection stability;
   TomlSection limits;
   TomlSection analysis;
+  TomlSection acceptance;
   std::vector<TomlSection> boards;
 };
 
@@ -35,5 +36,6 @@ void read_boards(TomlSection& root, std::vector<TomlSection>& tables,
 void read_stability(TomlSection& table, StabilityConfig& into);
 void read_limits(TomlSection& table, LimitConfig& into);
 void read_analysis(TomlSection& table, AnalysisConfig& into);
+void read_acceptance(TomlSection& table, AcceptanceConfig& into);
 
 }  // namespace gyrocal

@@ -22,7 +22,8 @@ struct NumberRange {
 class TomlSection;
 
 /// A TOML text with the problems found in it. Reading goes on after a problem, so that a person
-/// sees all of them at once. The only wrapper of toml++: nothing it throws leaves it.
+/// sees all of them at once. Reading goes through
+/// this wrapper of toml++ alone: nothing it throws leaves it.
 class TomlFile {
  public:
   /// @return bad_input with file, line and column when the text is not TOML.

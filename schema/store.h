@@ -242,6 +242,8 @@ class Store {
   [[nodiscard]] Result<std::vector<std::pair<BoardId, BoardRow>>> boards(CampaignId campaign) const;
   [[nodiscard]] Result<std::vector<AcceptedDwell>> accepted_dwells(CampaignId campaign,
                                                                    BoardId board) const;
+  /// Every attempt, rejected ones included, in the order they were logged.
+  [[nodiscard]] Result<std::vector<DwellRow>> dwells(CampaignId campaign) const;
   [[nodiscard]] Result<std::vector<EventInsert>> events(CampaignId campaign) const;  ///< as told
   /// Raw samples of a dwell, in order of seq.
   [[nodiscard]] Result<std::vector<BoardSample>> samples(DwellId dwell) const;

@@ -94,6 +94,11 @@ constexpr char select_samples[] =
     "SELECT t_ns, seq, counter, gyro_x_lsb, gyro_y_lsb, gyro_z_lsb, temperature_raw FROM sample "
     "WHERE dwell_id = ? ORDER BY seq";
 
+constexpr char select_dwells[] =
+    "SELECT board_id, ordinal, attempt, t_start_ns, t_end_ns, soak_s, timed_soak, "
+    "chamber_mean_c, chamber_peak_to_peak_k, board_mean_c, frames_missing, reject_reason "
+    "FROM dwell WHERE campaign_id = ? ORDER BY id";
+
 constexpr char select_campaign[] =
     "SELECT id, name, config_toml, software_version, utc_start_ns, simulated, time_scale, "
     "samples_per_setpoint, sample_rate_hz, monitor_interval_s, state FROM campaign ";
@@ -165,10 +170,7 @@ Result<std::optional<OpenCampaign>> Store::open_campaign() const {
   if (!found) return tl::unexpected(found.error());
   open->boards = std::move(*found);
   read = for_each_row(
-      impl_->database,
-      "SELECT board_id, ordinal, attempt, t_start_ns, t_end_ns, soak_s, timed_soak, "
-      "chamber_mean_c, chamber_peak_to_peak_k, board_mean_c, frames_missing, reject_reason "
-      "FROM dwell WHERE campaign_id = ? ORDER BY id",
+      impl_->database, select_dwells,
       [&](const Statement& row) { open->dwells.push_back(dwell_from(row)); }, key(open->id));
   if (read) {
     read = for_each_row(
@@ -177,6 +179,15 @@ Result<std::optional<OpenCampaign>> Store::open_campaign() const {
   }
   if (!read) return tl::unexpected(read.error());
   return open;
+}
+
+Result<std::vector<DwellRow>> Store::dwells(CampaignId campaign) const {
+  std::vector<DwellRow> dwells;
+  const auto read = for_each_row(
+      impl_->database, select_dwells,
+      [&](const Statement& row) { dwells.push_back(dwell_from(row)); }, key(campaign));
+  if (!read) return tl::unexpected(read.error());
+  return dwells;
 }
 
 Result<std::vector<AcceptedDwell>> Store::accepted_dwells(CampaignId campaign,

@@ -31,6 +31,7 @@ void add_make_safe(CLI::App& root, Chosen& chosen);
 void add_paper(CLI::App& root, Chosen& chosen);
 void add_plan(CLI::App& root, Chosen& chosen);
 void add_replay(CLI::App& root, Chosen& chosen);
+void add_report(CLI::App& root, Chosen& chosen);
 void add_rig(CLI::App& root, Chosen& chosen);
 void add_run(CLI::App& root, Chosen& chosen);
 void add_status(CLI::App& root, Chosen& chosen);  ///< and pause, resume, skip, abort

@@ -49,8 +49,8 @@ std::string drawing_of(const Curve& curve, std::size_t number) {
       curve.title.empty() ? "notitle" : fmt::format("title {}", quoted(curve.title));
   switch (curve.style) {
     case Curve::Style::points:
-      return fmt::format("$curve{} using 1:2 with points pt 7 ps 0.35 lc rgb '{}' {}", number,
-                         colour, title);
+      return fmt::format("$curve{} using 1:2 with points pt 7 ps {} lc rgb '{}' {}", number,
+                         curve.x.size() < 200 ? 0.7 : 0.35, colour, title);
     case Curve::Style::band:
       return fmt::format(
           "$curve{} using 1:2:3 with filledcurves fs transparent solid 0.2 noborder lc rgb '{}' {}",
@@ -95,7 +95,7 @@ std::string gnuplot_script(const Figure& figure) {
   std::string script =
       "set terminal svg size 900,420 dynamic noenhanced font 'sans-serif,13' background '#ffffff'\n"
       "set encoding utf8\nset grid lc rgb '#dddddd'\nset border 3 lc rgb '#555555'\n"
-      "set tics nomirror\nset key below\nset autoscale xfix\n";
+      "set tics nomirror\nset key above\nset autoscale xfix\n";
   script += fmt::format("set title {} noenhanced\nset xlabel {}\nset ylabel {}\n",
                         quoted(figure.title), quoted(figure.x_label), quoted(figure.y_label));
   if (figure.log_x) script += "set logscale x\n";
