@@ -74,6 +74,12 @@ void read_limits(TomlSection& root, ChamberProfile& profile) {
     root.expected("limit_min_c", Errc::out_of_range,
                   fmt::format("less than limit_max_c, {}", profile.limit_max.value));
   }
+  const auto rate = [&root](std::string_view key) -> std::optional<Kelvin> {
+    if (!root.has(key)) return std::nullopt;
+    return Kelvin{root.number(key, 1, {0.01, 100, "K/min"})};
+  };
+  profile.heating_per_minute = rate("heating_k_per_min");
+  profile.cooling_per_minute = rate("cooling_k_per_min");
   profile.settle_after_write_s =
       root.number("settle_after_write_s", profile.settle_after_write_s, {0, 60, "s"});
   profile.read_back_tolerance.value =

@@ -44,6 +44,8 @@ struct ChamberProfile {
   std::optional<StateSpec> run_type;     ///< "constant": what must stand there for setpoints to act
   Celsius limit_min{-60};
   Celsius limit_max{90};
+  std::optional<Kelvin> heating_per_minute;  ///< the steepest it usually goes, if known
+  std::optional<Kelvin> cooling_per_minute;
   double settle_after_write_s = 0.2;  ///< quiet time the controller needs after a write
   Kelvin read_back_tolerance{0.05};
   std::string text;  ///< the file as read: provenance

@@ -12,7 +12,9 @@ namespace gyrocal {
 
 Result<std::string> read_text_file(const std::string& path) {
   const auto failed = [&path](int code) {
-    return fail(Errc::storage, fmt::format("read {}: {}", path, std::strerror(code)),
+    const bool wrong_path = code == ENOENT || code == ENOTDIR || code == EISDIR;
+    return fail(wrong_path ? Errc::bad_input : Errc::storage,
+                fmt::format("read {}: {}", path, std::strerror(code)),
                 code == ENOENT ? "check the path" : "");
   };
   struct Close {

@@ -16,14 +16,22 @@ Duration dwell_duration(const Plan& plan) {
   return seconds(double(plan.samples_per_dwell) / plan.sample_rate_hz);
 }
 
+/// The ramp, or the chamber if it is slower.
+Duration travel_duration(const Plan& plan, Celsius from, Celsius to) {
+  const auto& chamber = to > from ? plan.heating_per_minute : plan.cooling_per_minute;
+  const Duration asked = ramp_duration(plan, from, to);
+  if (!chamber || *chamber >= plan.ramp_per_minute) return asked;
+  return seconds(to_seconds(asked) * plan.ramp_per_minute.value / chamber->value);
+}
+
 /// From air at `from` through the setpoints that follow `point`, and home.
 Duration after_point(const Plan& plan, std::size_t point, Celsius from) {
   Duration total{};
   for (std::size_t i = point; i < plan.setpoints.size(); ++i) {
-    total += ramp_duration(plan, from, plan.setpoints[i]) + stay_duration(plan);
+    total += travel_duration(plan, from, plan.setpoints[i]) + stay_duration(plan);
     from = plan.setpoints[i];
   }
-  return total + ramp_duration(plan, from, plan.safe);
+  return total + travel_duration(plan, from, plan.safe);
 }
 
 }  // namespace
@@ -37,6 +45,8 @@ Estimate estimate(const Plan& plan, Celsius start) {
   const Duration total = after_point(plan, 0, start);
   Estimate result;
   result.duration = total;
+  result.duration_max =
+      total + static_cast<int>(plan.setpoints.size()) * seconds(plan.stability.air_window_s);
   result.samples = plan.setpoints.size() * plan.boards.size() *
                    static_cast<std::uint64_t>(plan.samples_per_dwell);
   result.monitor_rows =
@@ -59,7 +69,7 @@ Duration time_left(const Plan& plan, const State& state, Celsius air, Duration h
                  [&](const Logging& s) { return staying(s.visit, dwell_duration(plan)); },
                  [&](const Paused& s) { return after_point(plan, s.visit.point, air); },
                  [&](const Holding& s) { return after_point(plan, s.visit.point, air); },
-                 [&](const Returning&) { return ramp_duration(plan, air, plan.safe); },
+                 [&](const Returning&) { return travel_duration(plan, air, plan.safe); },
                  [](const auto&) { return Duration{}; }},
       state);
 }

@@ -8,6 +8,8 @@ Result<Plan> make_plan(const CampaignConfig& config) {
   plan.allowed = allowed_setpoints(config);
   plan.safe = config.plan.safe_setpoint;
   plan.ramp_per_minute = config.plan.ramp_per_minute;
+  plan.heating_per_minute = config.chamber.profile.heating_per_minute;
+  plan.cooling_per_minute = config.chamber.profile.cooling_per_minute;
   plan.samples_per_dwell = config.plan.samples_per_setpoint;
   plan.sample_rate_hz = config.plan.sample_rate_hz;
   plan.stability = config.stability;

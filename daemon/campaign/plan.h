@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct Plan {
   SetpointRange allowed{};         ///< boards ∩ chamber: no setpoint outside it is ever sent
   Celsius safe{25};                ///< where every ending leaves the chamber; inside `allowed`
   Kelvin ramp_per_minute{1.0};
+  std::optional<Kelvin> heating_per_minute;  ///< what the chamber can, if known
+  std::optional<Kelvin> cooling_per_minute;
   int samples_per_dwell = 3000;
   int sample_rate_hz = 50;
   StabilityConfig stability;
@@ -42,9 +45,12 @@ struct Plan {
 /// One soak and one dwell, undisturbed.
 [[nodiscard]] Duration stay_duration(const Plan& plan);
 
-/// What a whole campaign takes, from air at `start`, if nothing is disturbed.
+/// What a whole campaign takes, from air at `start`, if nothing is disturbed: the ramps as fast as
+/// asked, or as the chamber can; at most another air window at each setpoint, until the window
+/// falls well on the chamber's own cycling.
 struct Estimate {
   Duration duration{};
+  Duration duration_max{};
   std::uint64_t samples = 0;       ///< of all boards
   std::uint64_t monitor_rows = 0;  ///< of all boards
   std::uint64_t bytes = 0;         ///< of the database

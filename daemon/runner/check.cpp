@@ -82,8 +82,12 @@ std::string check_text(const CheckReport& report) {
   row("limits", fmt::format("{:.1f} to {:.1f} degC, what boards and chamber allow together; safe "
                             "setpoint {:.1f} degC",
                             plan.allowed.min.value, plan.allowed.max.value, plan.safe.value));
-  row("duration", fmt::format("{} (h:min:s) if nothing is disturbed and the chamber keeps the ramp",
-                              clock_text(report.cost.duration)));
+  row("duration",
+      fmt::format("{} to {} (h:min:s) if nothing is disturbed: ramps as asked{}, soaks from {:.0f} "
+                  "min on, until the air is steady",
+                  clock_text(report.cost.duration), clock_text(report.cost.duration_max),
+                  plan.cooling_per_minute ? " or as slow as the chamber's profile says" : "",
+                  std::max(plan.stability.air_window_s, plan.stability.soak_s_min) / 60));
   row("disk",
       fmt::format("{:.1f} MB needed for {}, {:.1f} MB free{}", double(report.cost.bytes) / megabyte,
                   report.database, double(report.bytes_free) / megabyte,
@@ -116,6 +120,7 @@ std::string check_json(const CheckReport& report) {
                                 {"limit_max_c", plan.allowed.max.value},
                                 {"safe_setpoint_c", plan.safe.value},
                                 {"duration_s", to_seconds(report.cost.duration)},
+                                {"duration_max_s", to_seconds(report.cost.duration_max)},
                                 {"samples", report.cost.samples},
                                 {"bytes_needed", report.cost.bytes},
                                 {"bytes_free", report.bytes_free},

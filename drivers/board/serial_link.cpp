@@ -64,6 +64,9 @@ bool keep_to_ourselves(sp_port* port) {
 }  // namespace
 
 void SerialLink::ClosePort::operator()(sp_port* port) const noexcept {
+  // A pseudo-terminal keeps the exclusive mode beyond its last close, for whoever comes next.
+  int fd = -1;
+  if (sp_get_port_handle(port, &fd) == SP_OK) static_cast<void>(ioctl(fd, TIOCNXCL));
   sp_close(port);
   sp_free_port(port);
 }

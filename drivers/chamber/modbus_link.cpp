@@ -30,6 +30,18 @@ bool is_numeric(const std::string& host) {
   return inet_pton(AF_INET, host.c_str(), &address) == 1;
 }
 
+/// Its header says so: a protocol number of 0.
+bool is_modbus_tcp(std::span<const std::uint8_t> adu) { return adu[2] == 0 && adu[3] == 0; }
+
+std::string printable(std::span<const std::uint8_t> bytes) {
+  std::string text;
+  for (const std::uint8_t byte : bytes) {
+    text += byte >= 32 && byte < 127 ? std::string(1, static_cast<char>(byte))
+                                     : fmt::format("\\x{:02x}", byte);
+  }
+  return text;
+}
+
 bool set_timeouts(modbus_t* context, Duration reply_timeout) {
   const auto whole = std::chrono::duration_cast<std::chrono::seconds>(reply_timeout);
   const auto rest = std::chrono::duration_cast<std::chrono::microseconds>(reply_timeout - whole);
@@ -114,8 +126,15 @@ Result<Bytes> ModbusLink::send_and_receive(std::span<const std::uint8_t> request
   if (sent < 0) return failed("send", errno);
   std::array<std::uint8_t, MODBUS_MAX_ADU_LENGTH> adu{};
   const int received = modbus_receive_confirmation(modbus, adu.data());
-  if (received < 0) return failed("receive", errno);
+  const int error_number = errno;
   const bool is_tcp = std::holds_alternative<TcpAddress>(address_);
+  if (is_tcp && !is_modbus_tcp(adu)) {
+    return fail(Errc::bad_frame,
+                fmt::format("{}: what answers there is no Modbus TCP: it begins with \"{}\"", name_,
+                            printable(std::span(adu).first(tcp_header_bytes + 2))),
+                "is that the chamber's Modbus port (502 to 506 on a Yinhe)?");
+  }
+  if (received < 0) return failed("receive", error_number);
   const std::size_t begin = is_tcp ? tcp_header_bytes : 0;
   const std::size_t trailer = is_tcp ? 0 : rtu_trailer_bytes;
   const auto size = static_cast<std::size_t>(received);
@@ -139,7 +158,10 @@ tl::unexpected<Error> ModbusLink::failed(const std::string& doing, int error_num
   if (error_number == ETIMEDOUT || error_number == EINPROGRESS) {  // the latter from connecting
     return fail(context_ ? Errc::timeout : Errc::link_lost,
                 fmt::format("{}: {}: nothing in {} s", name_, doing, to_seconds(reply_timeout_)),
-                "is the chamber on, its panel in network mode, the unit number right?");
+                context_
+                    ? "it took the connection: is that the chamber's Modbus port (502 to 506 on "
+                      "a Yinhe), its panel in network mode, the unit number right?"
+                    : "is the chamber on, its panel in network mode, the address right?");
   }
   return fail(error_number >= MODBUS_ENOBASE ? Errc::bad_frame : Errc::link_lost,
               fmt::format("{}: {}: {}", name_, doing, modbus_strerror(error_number)),

@@ -153,7 +153,7 @@ TEST_CASE("a campaign file that cannot be read is named with the reason", "[conf
   const auto missing = read_campaign("/nowhere/c.toml");
   REQUIRE_FALSE(missing.has_value());
   CHECK(missing.error() ==
-        Error{Errc::storage, "read /nowhere/c.toml: No such file or directory", "check the path"});
+        Error{Errc::bad_input, "read /nowhere/c.toml: No such file or directory", "check the path"});
   const auto folder = read_campaign("/tmp");
   REQUIRE_FALSE(folder.has_value());
   CHECK(folder.error().what == "read /tmp: Is a directory");

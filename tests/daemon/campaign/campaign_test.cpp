@@ -177,8 +177,14 @@ TEST_CASE("a plan is costed before it runs", "[campaign]") {
   const Estimate cost = estimate(plan, Celsius{20});
   // 30 + 30 + 30 + 25 K at 1 K/min, three soaks of 30 min, three dwells of 60 s.
   CHECK(to_seconds(cost.duration) == Approx(115 * 60 + 3 * 1800 + 3 * 60));
+  CHECK(to_seconds(cost.duration_max - cost.duration) == Approx(3 * 600));
   CHECK(cost.samples == 18000);
   CHECK(cost.monitor_rows == 2 * 2496);
+
+  Plan slow = plan;
+  slow.cooling_per_minute = Kelvin{0.5};  // 30 and 25 K of the way are downhill
+  slow.heating_per_minute = Kelvin{3};    // faster than asked: no matter
+  CHECK(to_seconds(estimate(slow, Celsius{20}).duration - cost.duration) == Approx(55 * 60));
 }
 
 }  // namespace gyrocal::campaign

@@ -50,7 +50,7 @@ SCENARIO("usage and campaign files that are wrong exit with 2 and say where") {
   CHECK(run_gyrocal("run").exit_code == 2);
   CHECK(run_gyrocal("run " + demo + " --seed 3").exit_code == 2);  // needs --virtual
   const Ran absent = run_gyrocal("run /nowhere/campaign.toml");
-  CHECK(absent.exit_code != 0);
+  CHECK(absent.exit_code == 2);
   CHECK(absent.err.find("/nowhere/campaign.toml") != std::string::npos);
   const std::string bad = temporary_file("bad.toml", "[campaign]\nname = \"x\"\nnmae = 1\n");
   const Ran unknown = run_gyrocal("check " + bad);

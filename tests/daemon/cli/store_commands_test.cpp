@@ -132,5 +132,5 @@ TEST_CASE("an import that cannot be leaves the database as it was", "[cli][store
   CHECK(refused.exit_code == 2);
   CHECK_THAT(refused.err, Catch::Contains("dwell 0, seq 7: 4.1 deg/s is 16.400 counts"));
   CHECK(dump(folder / "a.db") == before);
-  CHECK(run_gyrocal("import /nowhere --db " + (folder / "a.db")).exit_code == 1);
+  CHECK(run_gyrocal("import /nowhere --db " + (folder / "a.db")).exit_code == 2);
 }

@@ -26,10 +26,12 @@ inline ChamberProfile yinhe() {
 /// The rig on free endpoints, served until it goes.
 class ServedRig {
  public:
-  explicit ServedRig(const TemporaryFolder& folder)
+  /// @param faults  of the rig, at its own time: seconds of campaign time since it is served.
+  explicit ServedRig(const TemporaryFolder& folder, std::vector<RigFault> faults = {})
       : clock_(rig_scale),
         rig_(rig::RigModel{}, 5, 2, yinhe(), 1),
         stop_(::eventfd(0, EFD_CLOEXEC)) {
+    rig_.set_faults(std::move(faults));
     RigEndpoints endpoints;
     endpoints.links = {folder / "board0", folder / "board1"};
     auto server = RigServer::open(rig_, clock_, endpoints, rig_scale);

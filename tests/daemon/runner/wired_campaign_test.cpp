@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <map>
 #include <thread>
 
 #include "daemon/runner/check.h"
@@ -56,6 +57,39 @@ SCENARIO("three setpoints, two boards, through libmodbus and libserialport to st
   CHECK(std::holds_alternative<campaign::Finished>(outcome->state));
   CHECK(accepted == 2 * 3 * 200);
   CHECK(answer.find("\"setpoints\":3") != std::string::npos);
+}
+
+SCENARIO("on real endpoints: a board unplugged, the chamber gone, a trip, and resumed to the end") {
+  const TemporaryFolder folder;
+  const ServedRig rig(folder, {{RigFaultKind::unplug, 300, 600, 0, 0},
+                               {RigFaultKind::refuse, 1500, 6000, std::nullopt, 0}});
+  RunRequest request;
+  request.campaign_path = folder.write("wired.toml", campaign_text(folder, rig.port()));
+  std::map<std::string, int> events;
+  RunHooks hooks;
+  hooks.log = [&](const EventInsert& event) { ++events[event.kind]; };
+  const auto tripped = run_requested(request, hooks, [](auto&&...) {});
+  if (!tripped) FAIL(to_text(tripped.error()));
+  REQUIRE(std::holds_alternative<campaign::Safe>(tripped->state));
+  CHECK(events["board_lost"] == 1);
+  CHECK(events["board_back"] == 1);
+  CHECK(events["chamber_lost"] == 1);
+  CHECK(events["chamber_back"] == 1);
+  CHECK(events["safe_setpoint"] == 1);
+
+  request.resume = true;  // a person re-arms it
+  std::size_t accepted = 0;
+  const auto outcome =
+      run_requested(request, hooks, [&](const Store& store, CampaignId campaign, auto&&) {
+        const auto boards = store.boards(campaign);
+        REQUIRE(boards);
+        for (const auto& [id, board] : *boards) {
+          accepted += store.accepted_dwells(campaign, id)->size();
+        }
+      });
+  if (!outcome) FAIL(to_text(outcome.error()));
+  CHECK(std::holds_alternative<campaign::Finished>(outcome->state));
+  CHECK(accepted == 6);
 }
 
 SCENARIO("an operator pauses, is refused a second pause, resumes, and aborts") {

@@ -140,10 +140,22 @@ TEST_CASE("the chamber's errors say what was asked, of whom, and what came", "[m
   ModbusChamber chamber(bench.link, bench.clock, ChamberProfile{}, 1);
   const auto reading = chamber.read();
   REQUIRE_FALSE(reading);
-  CHECK(to_text(reading.error()) ==
-        "read 2 registers at 0: 127.0.0.1:" + std::to_string(bench.server.port) +
-            ": receive: nothing in 0.1 s; is the chamber on, its panel in network mode, the unit "
-            "number right?");
+  CHECK(
+      to_text(reading.error()) ==
+      "read 2 registers at 0: 127.0.0.1:" + std::to_string(bench.server.port) +
+          ": receive: nothing in 0.1 s; it took the connection: is that the chamber's Modbus port "
+          "(502 to 506 on a Yinhe), its panel in network mode, the unit number right?");
+}
+
+TEST_CASE("a web server behind the address is told for what it is", "[modbus_link]") {
+  TcpBench bench({Deed::web_page});
+  const auto reply = bench.link.transact(read_two);
+  REQUIRE_FALSE(reply);
+  CHECK(reply.error().code == Errc::bad_frame);
+  CHECK(reply.error().what == "127.0.0.1:" + std::to_string(bench.server.port) +
+                                  ": what answers there is no Modbus TCP: it begins with "
+                                  "\"HTTP/1.1\"");
+  CHECK(bench.link.transact(read_two) == two_words_of_zero);
 }
 
 TEST_CASE("requests and replies pass an RTU line as unit and PDU", "[modbus_link]") {

@@ -20,7 +20,17 @@
 namespace gyrocal::test {
 
 /// What a server does with one request.
-enum class Deed { answer, answer_late, half, twice, other_unit, other_register, refuse, hang_up };
+enum class Deed {
+  answer,
+  answer_late,
+  half,
+  twice,
+  other_unit,
+  other_register,
+  refuse,
+  hang_up,
+  web_page
+};
 
 /// A Modbus TCP server on loopback with all registers, whose next replies are as bad as a test
 /// wants. Written on sockets, so that it shares nothing with the client under test but the PDUs.
@@ -106,6 +116,10 @@ class TestServer {
     if (deed == Deed::refuse) {
       pdu = modbus::encode_exception(request.unit, request.function,
                                      modbus::Exception::illegal_address);
+    }
+    if (deed == Deed::web_page) {
+      const std::string page = "HTTP/1.1 400 Bad Request\r\nContent-Length: 0\r\n\r\n";
+      return {page.begin(), page.end()};
     }
     Bytes reply(frame.begin(), frame.begin() + 4);
     put_u16(reply, static_cast<std::uint16_t>(pdu.size()));
