@@ -1,21 +1,20 @@
 #include "compensation/discrepancy/acceleration.h"
 
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
-
-#include "compensation/discrepancy/slow_stream.h"
 
 namespace gyrocal {
 namespace {
 
 constexpr double tilt_seen_g = 0.003;
 constexpr double slip_g = 0.02;
-constexpr double slip_over_usual = 4;
-constexpr std::size_t rows_min = 12;
+constexpr double coarse_step_s = 60, fine_step_s = 10, fine_reach_s = 90;
+constexpr double instants_max = 60;
 
 struct Mean {
   double begin_s = 0, end_s = 0, n = 0;
@@ -46,92 +45,114 @@ double distance_g(const Mean& a, const Mean& b) {
   return std::hypot(a.g[0] - b.g[0], a.g[1] - b.g[1], a.g[2] - b.g[2]);
 }
 
-/// How far a change between neighbours must go to be a slip.
-double slip_threshold_g(const std::vector<Mean>& course) {
-  std::vector<double> change;
-  for (std::size_t k = 1; k < course.size(); ++k) {
-    change.push_back(distance_g(course[k - 1], course[k]));
+/// The course between the dwells' means, its slips at given instants.
+class Course {
+ public:
+  explicit Course(std::vector<Mean> means) : means_(std::move(means)) {
+    for (std::size_t k = 1; k < means_.size(); ++k) {
+      if (distance_g(means_[k - 1], means_[k]) < slip_g) continue;
+      slips_.push_back({k, (means_[k - 1].end_s + means_[k].begin_s) / 2});
+    }
   }
-  const auto middle = change.begin() + static_cast<std::ptrdiff_t>(change.size() / 2);
-  std::nth_element(change.begin(), middle, change.end());
-  return std::max(slip_g, slip_over_usual * *middle);
+  [[nodiscard]] std::size_t slips() const { return slips_.size(); }
+  /// Between which instants a slip must lie.
+  [[nodiscard]] std::pair<double, double> bounds_s(std::size_t slip) const {
+    const std::size_t k = slips_[slip].before_mean;
+    return {means_[k - 1].end_s, means_[k].begin_s};
+  }
+  double& slip_s(std::size_t slip) { return slips_[slip].at_s; }
+
+  void put_into(Track& track) const {
+    struct Knot {
+      double t_s;
+      std::array<double, 3> g;
+    };
+    std::vector<Knot> knots;
+    std::size_t next_slip = 0;
+    for (std::size_t k = 0; k < means_.size(); ++k) {
+      if (next_slip < slips_.size() && slips_[next_slip].before_mean == k) {
+        const double at_s = slips_[next_slip++].at_s;
+        knots.push_back({at_s, means_[k - 1].g});
+        knots.push_back({at_s + 1, means_[k].g});
+      }
+      knots.push_back({(means_[k].begin_s + means_[k].end_s) / 2, means_[k].g});
+    }
+    std::size_t right = 0;
+    for (rig::Drivers& now : track.record) {
+      while (right < knots.size() && knots[right].t_s < now.t_s) ++right;
+      const Knot& a = knots[right == 0 ? 0 : right - 1];
+      const Knot& b = knots[std::min(right, knots.size() - 1)];
+      const double share = b.t_s > a.t_s ? (now.t_s - a.t_s) / (b.t_s - a.t_s) : 0.0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        now.acc_g[axis] = a.g[axis] + share * (b.g[axis] - a.g[axis]);
+      }
+    }
+  }
+
+ private:
+  struct Slip {
+    std::size_t before_mean;
+    double at_s;
+  };
+  std::vector<Mean> means_;
+  std::vector<Slip> slips_;
+};
+
+/// What cubic and accelerometer leave of the stream, white noise taken for granted.
+double misfit(const SlowStream& stream, const Track& track) {
+  constexpr Eigen::Index powers = 4;
+  Eigen::MatrixXd design(stream.size(), powers + 3);
+  std::vector<double> course(track.record.size(), 1.0);
+  for (Eigen::Index power = 0; power < powers; ++power) {
+    design.col(power) = stream.bin(course);
+    for (std::size_t i = 0; i < course.size(); ++i) course[i] *= (track.record[i].die_c - 20) / 30;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < course.size(); ++i) course[i] = track.record[i].acc_g[axis];
+    design.col(powers + static_cast<Eigen::Index>(axis)) = stream.bin(course);
+  }
+  const auto n = static_cast<Eigen::Index>(stream.grid().weight_s.size());
+  const Eigen::ArrayXd root =
+      Eigen::Map<const Eigen::ArrayXd>(stream.grid().weight_s.data(), n).sqrt();
+  const Eigen::MatrixXd x = root.matrix().asDiagonal() * design;
+  const Eigen::VectorXd y = root.matrix().asDiagonal() * stream.y_dps();
+  const Eigen::MatrixXd gram = x.transpose() * x;
+  const double ridge = 1e-10 * gram.trace();  // an axis that never changed is a second constant
+  const Eigen::MatrixXd ridged = gram + ridge * Eigen::MatrixXd::Identity(powers + 3, powers + 3);
+  return (y - x * ridged.ldlt().solve(x.transpose() * y)).squaredNorm();
 }
 
-/// When a step parts the gyro's rows between two dwells best, a parabola over the die temperature
-/// fitted with it; the middle where too few rows may be looked at.
-double slip_instant_s(const Session& session, std::span<const Segment> segments, const Track& track,
-                      const Mean& before, const Mean& after) {
-  const double middle_s = (before.end_s + after.begin_s) / 2;
-  std::vector<double> t, die, y;
-  for (const MonitorRow& row : session.monitor) {
-    if (row.t_s < before.begin_s || row.t_s > after.end_s || std::isnan(row.gyro_dps) ||
-        !may_train_on(segments, row.t_s)) {
-      continue;
-    }
-    const auto at = static_cast<std::size_t>(std::clamp(
-        (row.t_s - track.t0_s) / track.step_s, 0.0, static_cast<double>(track.record.size() - 1)));
-    t.push_back(row.t_s);
-    die.push_back(track.record[at].die_c);
-    y.push_back(row.gyro_dps);
+/// Moves one slip to the best of instants `step_s` apart.
+void place_slip(const SlowStream& stream, Track& track, Course& course, std::size_t slip,
+                double from_s, double to_s, double step_s) {
+  double best_s = course.slip_s(slip), best = -1;
+  for (double at_s = from_s; at_s <= to_s; at_s += step_s) {
+    course.slip_s(slip) = at_s;
+    course.put_into(track);
+    const double left = misfit(stream, track);
+    if (best < 0 || left < best) best = left, best_s = at_s;
   }
-  if (t.size() < rows_min) return middle_s;
-  const auto n = static_cast<Eigen::Index>(t.size());
-  const double centre = die[die.size() / 2];
-  Eigen::MatrixXd smooth(n, 3);
-  Eigen::MatrixXd late(n, n - 1);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double x = die[static_cast<std::size_t>(i)] - centre;
-    smooth.row(i) << 1, x, x * x;
-    for (Eigen::Index k = 0; k + 1 < n; ++k) late(i, k) = i > k ? 1.0 : 0.0;
-  }
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(smooth);
-  const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(n, 3);
-  const Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(y.data(), n);
-  const Eigen::VectorXd rest = values - basis * (basis.transpose() * values);
-  late -= basis * (basis.transpose() * late).eval();
-  double best = 0, best_s = middle_s;
-  for (Eigen::Index k = 0; k + 1 < n; ++k) {
-    const double norm = late.col(k).squaredNorm();
-    if (norm < 1e-6 * static_cast<double>(n)) continue;
-    const double explained = std::pow(late.col(k).dot(rest), 2) / norm;
-    const auto at = static_cast<std::size_t>(k);
-    const double between_s = (t[at] + t[at + 1]) / 2;
-    if (explained > best && between_s > before.end_s && between_s < after.begin_s) {
-      best = explained, best_s = between_s;
-    }
-  }
-  return best_s;
+  course.slip_s(slip) = best_s;
 }
 
 }  // namespace
 
-void add_acceleration(const Session& session, std::span<const Segment> segments, Track& track) {
-  const std::vector<Mean> course = dwell_means(session);
-  if (course.empty()) return;
-  struct Knot {
-    double t_s;
-    std::array<double, 3> g;
-  };
-  std::vector<Knot> knots{{course.front().begin_s, course.front().g}};
-  const double threshold_g = course.size() > 2 ? slip_threshold_g(course) : slip_g;
-  for (std::size_t k = 0; k < course.size(); ++k) {
-    if (k > 0 && distance_g(course[k - 1], course[k]) > threshold_g) {
-      const double slip_s = slip_instant_s(session, segments, track, course[k - 1], course[k]);
-      knots.push_back({slip_s, course[k - 1].g});
-      knots.push_back({slip_s + 1, course[k].g});
-    }
-    knots.push_back({(course[k].begin_s + course[k].end_s) / 2, course[k].g});
+void add_acceleration(const Session& session, const SlowStream& stream, Track& track) {
+  std::vector<Mean> means = dwell_means(session);
+  if (means.empty()) return;
+  Course course(std::move(means));
+  for (std::size_t slip = 0; slip < course.slips(); ++slip) {
+    const auto [from_s, to_s] = course.bounds_s(slip);
+    place_slip(stream, track, course, slip, from_s, to_s,
+               std::max(coarse_step_s, (to_s - from_s) / instants_max));
   }
-  std::size_t right = 0;
-  for (rig::Drivers& now : track.record) {
-    while (right < knots.size() && knots[right].t_s < now.t_s) ++right;
-    const Knot& left = knots[right == 0 ? 0 : right - 1];
-    const Knot& next = knots[std::min(right, knots.size() - 1)];
-    const double share = next.t_s > left.t_s ? (now.t_s - left.t_s) / (next.t_s - left.t_s) : 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      now.acc_g[axis] = left.g[axis] + share * (next.g[axis] - left.g[axis]);
-    }
+  for (std::size_t slip = 0; slip < course.slips(); ++slip) {
+    const auto [from_s, to_s] = course.bounds_s(slip);
+    const double at_s = course.slip_s(slip);
+    place_slip(stream, track, course, slip, std::max(from_s, at_s - fine_reach_s),
+               std::min(to_s, at_s + fine_reach_s), fine_step_s);
   }
+  course.put_into(track);
 }
 
 bool acceleration_varies(const Track& track) {

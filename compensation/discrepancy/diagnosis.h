@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "compensation/discrepancy/executor.h"
 #include "compensation/rig/rig_model.h"
 #include "compensation/values/error.h"
 #include "compensation/values/records.h"
@@ -68,7 +69,7 @@ struct Diagnosis {
 };
 
 struct DiagnoseOptions {
-  int jobs = 1;  ///< threads (one is used so far); the answer does not depend on it
+  Executor run_all = run_in_turn;  ///< shares the work; the answer does not depend on it
 };
 
 /// Compares a session with what the rig model predicts from its measured temperatures, names what

@@ -12,6 +12,7 @@ namespace gyrocal {
 namespace {
 
 constexpr double outlier_sd = 6.5;
+constexpr double hole_costs_nats = 4;   // what the spread's own error can make of the last codes
 constexpr double hole_left_over = 0.3;  // of what should come, at most
 constexpr double expected_enough = 5;   // counts, to tell a hole from bad luck
 constexpr double coarse_sd_lsb = 0.5;   // below it quantiles of codes are no Gaussian's
@@ -124,7 +125,7 @@ void find_holes(const Counts& counts, CodeFindings& findings) {
   }
   if (findings.holes.empty()) return;
   const double testable = findings.testable;
-  findings.holes_nats -= std::log(testable);
+  findings.holes_nats -= std::log(testable) + hole_costs_nats * (findings.outliers > 0 ? 3 : 1);
   const double holes = static_cast<double>(findings.holes.size());
   findings.holes_share = holes / testable;
   findings.holes_share_sd = std::sqrt(findings.holes_share * (1 - findings.holes_share) / testable);

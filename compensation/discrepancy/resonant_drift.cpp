@@ -85,9 +85,11 @@ ResonantDrift fit_resonant_drift(const SlowModel& model) {
   Eigen::MatrixXd columns(model.y().size(), model.design().cols() + 1);
   columns << model.design(), model.y();
   const double span_s = grid.t_s.back() - grid.t_s.front();
+  // A trend over the whole record has no scale of its own.
+  const double longest_s = span_s / 3;
   const double shortest_s = 4 * span_s / static_cast<double>(grid.t_s.size());
   const auto at = [&](const Eigen::VectorXd& x) {
-    const double period_s = std::clamp(std::exp(x(1)), shortest_s, span_s);
+    const double period_s = std::clamp(std::exp(x(1)), shortest_s, longest_s);
     return Resonance{std::exp(std::clamp(x(0), -16.0, 8.0)), 2 * std::numbers::pi / period_s,
                      std::exp(std::clamp(x(2), -3.0, 4.0))};
   };

@@ -175,9 +175,10 @@ void add_line(const SlowModel& model, double sample_rate_hz, std::vector<SlowOpt
 }  // namespace
 
 std::vector<SlowOption> slow_options(const SlowModel& model, double sample_rate_hz,
-                                     const std::vector<std::string>& excluded) {
+                                     const std::vector<std::string>& excluded,
+                                     const Executor& run_all) {
   std::vector<SlowOption> options;
-  for (SlowCandidate& candidate : search_effects(model)) {
+  for (SlowCandidate& candidate : search_effects(model, run_all)) {
     options.push_back(from_candidate(std::move(candidate)));
   }
   add_noise(model, options);

@@ -22,6 +22,7 @@ struct SlowOption {
 
 /// Everything the catalogue offers for the slow stream, best first.
 [[nodiscard]] std::vector<SlowOption> slow_options(const SlowModel& model, double sample_rate_hz,
-                                                   const std::vector<std::string>& excluded);
+                                                   const std::vector<std::string>& excluded,
+                                                   const Executor& run_all);
 
 }  // namespace gyrocal

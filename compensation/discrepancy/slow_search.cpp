@@ -195,6 +195,19 @@ double bent_amplitude_sd(const SlowModel& model, const rig::Law& law, const Valu
       .standard_error.tail(1)(0);
 }
 
+/// A window in temperature is one only if both its flanks were passed: a bend at the end of the
+/// range is what any smooth curve has.
+bool passed_whole(const SlowCandidate& candidate, const Track& track) {
+  if (candidate.term.effect->name != "mode_crossing") return true;
+  const double t0 = candidate.term.values[1], w = candidate.term.values[2];
+  bool below = false, above = false;
+  for (const rig::Drivers& now : track.record) {
+    below = below || now.die_c < t0 - w;
+    above = above || now.die_c > t0 + w;
+  }
+  return below && above;
+}
+
 /// What a law is worth beside the others of its effect: each shape parameter is paid for, and the
 /// usual law is preferred where there is nothing to choose.
 double worth(const SlowCandidate& candidate) {
@@ -235,7 +248,7 @@ SlowCandidate refine(const SlowModel& model, const rig::Effect& effect, const ri
   return candidate;
 }
 
-std::vector<SlowCandidate> search_effects(const SlowModel& model) {
+std::vector<SlowCandidate> search_effects(const SlowModel& model, const Executor& run_all) {
   const std::vector<LawColumns> all = all_columns(model);
   const SlowNoiseShape free = model.fit_free().shape;
   const SlowNoiseShape between{free.flicker_ratio * 0.05, free.walk_ratio * 0.05};
@@ -250,13 +263,17 @@ std::vector<SlowCandidate> search_effects(const SlowModel& model) {
       take_best(entry, gains(white, design.off_white(white), y_off), s, trials);
     }
   }
+  const std::vector<Trial> starts = choose(std::move(trials));
+  std::vector<SlowCandidate> refined(starts.size());
+  run_all(starts.size(), [&](std::size_t i) {
+    const Trial& start = starts[i];
+    refined[i] = refine(model, *start.effect, *start.law, start.values, settings[start.noise]);
+  });
   std::vector<SlowCandidate> best;
-  for (const Trial& start : choose(std::move(trials))) {
-    SlowCandidate candidate =
-        refine(model, *start.effect, *start.law, start.values, settings[start.noise]);
-    if (candidate.term.effect == nullptr) continue;
+  for (SlowCandidate& candidate : refined) {
+    if (candidate.term.effect == nullptr || !passed_whole(candidate, model.track())) continue;
     const auto same = std::find_if(best.begin(), best.end(), [&](const SlowCandidate& other) {
-      return other.term.effect == start.effect;
+      return other.term.effect == candidate.term.effect;
     });
     if (same == best.end()) {
       best.push_back(std::move(candidate));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compensation/discrepancy/executor.h"
 #include "compensation/discrepancy/slow_fit.h"
 #include "compensation/discrepancy/slow_stream.h"
 #include "compensation/discrepancy/track.h"
@@ -91,7 +92,8 @@ class SlowModel {
 
 /// Every deterministic effect of the catalogue against the present model: the best law and shape
 /// of each, shapes and noise refined together for those that gain something. Best first.
-[[nodiscard]] std::vector<SlowCandidate> search_effects(const SlowModel& model);
+[[nodiscard]] std::vector<SlowCandidate> search_effects(const SlowModel& model,
+                                                        const Executor& run_all);
 
 /// One law from given values on: shapes and noise refined together.
 [[nodiscard]] SlowCandidate refine(const SlowModel& model, const rig::Effect& effect,

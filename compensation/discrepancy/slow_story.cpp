@@ -18,7 +18,7 @@ constexpr std::size_t crowd = 3;
 constexpr double surely_no_noise_nats = 14;
 constexpr double timing_s_min = 5;
 // What a law leaves over because nature does not follow it to the letter is no second effect.
-constexpr double imperfect_law_share = 0.03;
+constexpr double imperfect_law_share = 0.1;
 // When a compressor runs is only guessed from the air.
 constexpr double guessed_law_share = 0.12;
 constexpr double unexplained_share = 0.12;
@@ -79,6 +79,13 @@ bool passes(const SlowOption& option) {
 
 constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
+/// A relay that flips once and a bend passed once are a jump by another name: what happens once is
+/// an event.
+bool happens_once(const SlowOption& chosen, const SlowOption& other) {
+  const std::string& law = other.finding.law;
+  return chosen.finding.effect == "bias_jump" && (law == "relay" || law == "turn");
+}
+
 /// Evidence, lead and rivals of the best option among all.
 void judge(SlowOption& chosen, const std::vector<SlowOption>& all) {
   chosen.finding.evidence_nats = chosen.score;
@@ -87,7 +94,10 @@ void judge(SlowOption& chosen, const std::vector<SlowOption>& all) {
   if (is_unknown(chosen)) return;
   for (const SlowOption& other : all) {
     if (other.finding.effect == chosen.finding.effect || is_unknown(other)) continue;
-    const double lead = chosen.score - std::max(other.score, 0.0);
+    double lead = chosen.score - std::max(other.score, 0.0);
+    // A law may stand beside noise: what it gains then is its lead over noise alone.
+    if (is_noise(other) && chosen.finding.term) lead = std::max(lead, chosen.beyond_noise);
+    if (lead >= 0 && happens_once(chosen, other)) continue;
     chosen.finding.lead_nats = std::min(chosen.finding.lead_nats, lead);
     if (lead < lead_to_name_nats && other.score >= gate_nats - lead_to_name_nats) {
       chosen.finding.rivals.push_back(other.finding.effect);
@@ -111,8 +121,9 @@ std::vector<std::string> already(const std::vector<SlowOption>& chapters,
 class Story {
  public:
   Story(SlowModel& model, double sample_rate_hz, double interval_s,
-        const std::vector<std::string>& excluded)
+        const std::vector<std::string>& excluded, const Executor& run_all)
       : model_(model),
+        run_all_(run_all),
         sample_rate_hz_(sample_rate_hz),
         excluded_(excluded),
         given_{model.terms(), model.noise(), timing_error(model, interval_s)} {
@@ -157,7 +168,8 @@ class Story {
   }
 
   bool add_next() {
-    auto options = slow_options(model_, sample_rate_hz_, already(chapters_, excluded_, nobody));
+    auto options =
+        slow_options(model_, sample_rate_hz_, already(chapters_, excluded_, nobody), run_all_);
     const auto best = choose_next(options);
     if (best == options.end()) return false;
     judge(*best, options);
@@ -191,8 +203,13 @@ class Story {
     bool changed = false;
     for (std::size_t i = 0; i < chapters_.size();) {
       remake(i);
-      auto options = slow_options(model_, sample_rate_hz_, already(chapters_, excluded_, i));
-      const auto best = std::find_if(options.begin(), options.end(), passes);
+      auto options =
+          slow_options(model_, sample_rate_hz_, already(chapters_, excluded_, i), run_all_);
+      const double leftover = expected_leftover(i);
+      const auto best =
+          std::find_if(options.begin(), options.end(), [leftover](const SlowOption& option) {
+            return passes(option) && option.score >= leftover;
+          });
       if (best == options.end()) {
         chapters_.erase(chapters_.begin() + static_cast<std::ptrdiff_t>(i));
         changed = true;
@@ -213,7 +230,7 @@ class Story {
   [[nodiscard]] std::vector<SlowOption>::iterator choose_next(
       std::vector<SlowOption>& options) const {
     const auto enough = [this](const SlowOption& option) {
-      return passes(option) && option.score >= expected_leftover();
+      return passes(option) && option.score >= expected_leftover(nobody);
     };
     auto best = options.end();
     for (auto option = options.begin(); option != options.end(); ++option) {
@@ -226,10 +243,11 @@ class Story {
   }
 
   /// What the deterministic findings, not being exact, may leave over.
-  [[nodiscard]] double expected_leftover() const {
+  [[nodiscard]] double expected_leftover(std::size_t leave_out) const {
     double most = 0;
-    for (const SlowOption& chapter : chapters_) {
-      if (is_noise(chapter)) continue;
+    for (std::size_t i = 0; i < chapters_.size(); ++i) {
+      const SlowOption& chapter = chapters_[i];
+      if (i == leave_out || is_noise(chapter)) continue;
       const bool guessed = chapter.finding.effect == "compressor_vibration";
       most = std::max(most, (guessed ? guessed_law_share : imperfect_law_share) * chapter.score);
     }
@@ -307,6 +325,7 @@ class Story {
   }
 
   SlowModel& model_;
+  const Executor& run_all_;
   double sample_rate_hz_;
   std::vector<std::string> excluded_;
   Given given_;
@@ -316,8 +335,9 @@ class Story {
 }  // namespace
 
 std::vector<SlowFinding> tell_slow_story(SlowModel& model, double sample_rate_hz, double interval_s,
-                                         const std::vector<std::string>& excluded) {
-  Story story(model, sample_rate_hz, interval_s, excluded);
+                                         const std::vector<std::string>& excluded,
+                                         const Executor& run_all) {
+  Story story(model, sample_rate_hz, interval_s, excluded, run_all);
   story.tell();
   return story.findings();
 }

@@ -39,6 +39,7 @@ inline constexpr double lead_to_name_nats = 5;
 /// @param excluded  effects not to be searched for: named by another channel, or impossible here.
 [[nodiscard]] std::vector<SlowFinding> tell_slow_story(SlowModel& model, double sample_rate_hz,
                                                        double interval_s,
-                                                       const std::vector<std::string>& excluded);
+                                                       const std::vector<std::string>& excluded,
+                                                       const Executor& run_all);
 
 }  // namespace gyrocal

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double bin_s_usual = 20;
 constexpr double bins_max = 2500;
-constexpr double lone_outlier_sd = 8;
 
 struct Place {
   std::size_t left;
@@ -89,7 +88,8 @@ Eigen::VectorXd SlowStream::bin(std::span<const double> course) const {
   return result;
 }
 
-RowChoice training_rows(const Session& session, std::span<const Segment> segments) {
+RowChoice training_rows(const Session& session, std::span<const Segment> segments,
+                        double lone_outlier_sd) {
   std::vector<std::size_t> usable;
   std::vector<double> y;
   for (std::size_t i = 0; i < session.monitor.size(); ++i) {

@@ -46,7 +46,9 @@ struct RowChoice {
   std::vector<std::size_t> rows;
   std::int64_t lone_outliers = 0;
 };
-[[nodiscard]] RowChoice training_rows(const Session& session, std::span<const Segment> segments);
+/// @param lone_outlier_sd  how far off a row must stand to be left out.
+[[nodiscard]] RowChoice training_rows(const Session& session, std::span<const Segment> segments,
+                                      double lone_outlier_sd);
 
 /// White noise of a one-second mean, from neighbouring rows' differences: blind to everything slow
 /// and to glitches [deg/s].

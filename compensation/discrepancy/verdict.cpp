@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compensation/discrepancy/off_design.h"
-#include "compensation/discrepancy/slow_noise.h"
 #include "compensation/rig/effects/catalogue.h"
 
 namespace gyrocal {
@@ -21,21 +19,6 @@ std::string unit_of(const rig::Law& law) { return std::string(law.info.parameter
 
 std::string number_with_unit(double value, const std::string& unit) {
   return unit == "1" ? fmt::format("{:.3g}", value) : fmt::format("{:.4g} {}", value, unit);
-}
-
-/// What the likelihood gains over white noise, on average, where `shape` is true. The part of the
-/// drift that the cubic over temperature takes is left out: of a walk's variance about its mean a
-/// seventh remains, of the flicker's states the faster half.
-double expected_gain(const SlowGrid& grid, const SlowNoiseShape& shape) {
-  const SlowWhitener whitener(grid, shape);
-  const auto n = static_cast<double>(grid.t_s.size());
-  const double span_s = grid.t_s.back() - grid.t_s.front();
-  const auto states = static_cast<double>(SlowWhitener::flicker_tau_s(grid).size());
-  double white = 0;
-  for (const double weight : grid.weight_s) white += 1 / weight / n;
-  const double drift = shape.walk_ratio * span_s / 42 +
-                       shape.flicker_ratio * 0.3665 * states / 2;  // ln(sqrt 10)/pi a state
-  return 0.5 * (n * std::log(white + drift) - whitener.log_determinant());
 }
 
 std::string tell_apart(const rig::Effect& effect, const std::vector<std::string>& rivals) {
@@ -159,42 +142,6 @@ Verdict verdict_of(const std::vector<Finding>& findings) {
   const auto open = [](const Finding& finding) { return !finding.confounded_with.empty(); };
   if (std::any_of(findings.begin(), findings.end(), open)) return Verdict::confounded;
   return Verdict::explained;
-}
-
-std::map<std::string, double> slow_limits(const SlowModel& model) {
-  std::map<std::string, double> limits;
-  const SlowNoiseShape& shape = model.fit().shape;
-  const OffDesign design(model, shape);
-  const double needed = std::sqrt(2 * gate_nats) * model.fit().white_sd_dps;
-  for (const rig::Effect& effect : rig::catalogue()) {
-    if ((effect.channels & rig::slow_drift) == 0) continue;
-    const rig::Law& law = *effect.laws.front();
-    std::vector<double> values = rig::usual_values(law);
-    const auto trials = trial_values(effect, law, model.track());
-    if (!trials.empty()) values = trials[trials.size() / 2];
-    const double at = law.info.linear ? 1.0 : values[0];
-    values[0] = at;
-    const Eigen::VectorXd column = design.whitener().whiten(model.column(law, values));
-    const double left = design.off_white(column).norm();
-    if (left > 1e-4 * column.norm() && left > 0) {
-      limits[std::string(effect.name)] = needed / left * at;
-    }
-  }
-  const auto noise_limit = [&](double SlowNoiseShape::*part, double lowest) {
-    SlowNoiseShape trial = shape;
-    trial.*part = lowest;
-    while (trial.*part < 1e6 && expected_gain(model.stream().grid(), trial) < gate_nats) {
-      trial.*part *= 1.3;
-    }
-    return model.fit().white_sd_dps * std::sqrt(trial.*part);
-  };
-  if (!model.noise().flicker) {
-    limits["bias_instability"] = 3600 * noise_limit(&SlowNoiseShape::flicker_ratio, 1e-6);
-  }
-  if (!model.noise().walk) {
-    limits["rate_random_walk"] = 1000 * noise_limit(&SlowNoiseShape::walk_ratio, 1e-11);
-  }
-  return limits;
 }
 
 }  // namespace gyrocal

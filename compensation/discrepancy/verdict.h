@@ -24,7 +24,4 @@ void explain(std::vector<Finding>& findings);
 /// unexplained before confounded before explained: the weakest finding decides.
 [[nodiscard]] Verdict verdict_of(const std::vector<Finding>& findings);
 
-/// Smallest amplitude at which each slow effect, at its usual shape, would have passed the gate.
-[[nodiscard]] std::map<std::string, double> slow_limits(const SlowModel& model);
-
 }  // namespace gyrocal

@@ -3,16 +3,19 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <string>
 
+#include "compensation/discrepancy/coherence.h"
 #include "compensation/discrepancy/diagnosis.h"
 #include "config/rig_model.h"
 #include "daemon/cli/command.h"
 #include "daemon/cli/diagnosis_json.h"
+#include "daemon/cli/diagnosis_subjects.h"
 #include "daemon/cli/outcome.h"
 #include "daemon/cli/plan_file.h"
 #include "daemon/report/diagnosis_report.h"
 #include "gyrocal_version.h"
-#include "schema/session/session_csv.h"
 #include "schema/store.h"
 
 namespace gyrocal::cli {
@@ -23,31 +26,13 @@ struct Options {
   std::string rig_model = default_rig_model, write_rig_model, prediction, report, write_plan;
   std::string campaign;  ///< file of the campaign the session comes from, for write_plan
   int jobs = 1;
-  bool json = false, verdict_as_exit_code = false;
+  bool all = false, json = false, verdict_as_exit_code = false;
 };
 
 constexpr int exit_explained = 10, exit_unexplained = 11, exit_confounded = 12;
-
-Result<Session> session_of_database(const Options& options) {
-  auto store = Store::open_read_only(options.database);
-  if (!store) return tl::unexpected(store.error());
-  const auto campaign = store->latest_campaign();
-  if (!campaign) return tl::unexpected(campaign.error());
-  if (!*campaign) {
-    return fail(Errc::bad_input, fmt::format("{}: holds no campaign", options.database));
-  }
-  const auto boards = store->boards(**campaign);
-  if (!boards) return tl::unexpected(boards.error());
-  std::string names;
-  for (const auto& [id, board] : *boards) {
-    if (options.board.empty() || board.name == options.board) {
-      const Axis axis = options.axis == "x" ? Axis::x : options.axis == "y" ? Axis::y : Axis::z;
-      return store->session(**campaign, id, axis);
-    }
-    names += (names.empty() ? "" : ", ") + board.name;
-  }
-  return fail(Errc::unknown_name, fmt::format("{}: no board \"{}\"; there are: {}",
-                                              options.database, options.board, names));
+std::optional<WantedAxis> wanted_of(const Options& options) {
+  if (options.all) return std::nullopt;
+  return WantedAxis{options.board, options.axis};
 }
 
 std::string prediction_csv(const Diagnosis& diagnosis) {
@@ -124,41 +109,53 @@ int verdict_code(Verdict verdict) {
   return exit_failed;
 }
 
+Result<void> write_files(const Options& options, const rig::RigModel& model, const Subject& subject,
+                         Diagnosis& diagnosis) {
+  diagnosis.model.parent_hash = rig_model_hash(model);
+  Result<void> written;
+  if (!options.prediction.empty()) {
+    written = write_text_file(options.prediction, prediction_csv(diagnosis));
+  }
+  if (written && !options.write_rig_model.empty()) {
+    written = write_text_file(options.write_rig_model, rig_model_to_json(diagnosis.model));
+  }
+  if (written && !options.report.empty()) {
+    written = write_report(options, subject.session, diagnosis);
+  }
+  if (written && !options.write_plan.empty()) {
+    written = write_plan(options, diagnosis, model, subject.axis);
+  }
+  return written;
+}
+
 int run(const Options& options) {
   const auto model = read_rig_model(options.rig_model);
   if (!model) return report(model.error());
-  const auto session =
-      options.database.empty() ? read_session(options.session) : session_of_database(options);
-  if (!session) return report(session.error());
-  auto diagnosis = diagnose(*session, *model, {.jobs = options.jobs});
-  if (!diagnosis) return report(diagnosis.error());
-  if (!options.prediction.empty()) {
-    if (auto written = write_text_file(options.prediction, prediction_csv(*diagnosis)); !written) {
-      return report(written.error());
-    }
-  }
-  if (!options.write_rig_model.empty()) {
-    diagnosis->model.parent_hash = rig_model_hash(*model);
-    const auto written =
-        write_text_file(options.write_rig_model, rig_model_to_json(diagnosis->model));
+  const auto subjects = options.database.empty()
+                            ? subject_of_directory(options.session)
+                            : subjects_of_database(options.database, wanted_of(options));
+  if (!subjects) return report(subjects.error());
+  auto diagnoses = diagnose_all(*subjects, *model, options.jobs);
+  if (!diagnoses) return report(diagnoses.error());
+  for (std::size_t i = 0; i < subjects->size(); ++i) {
+    const auto written = write_files(options, *model, (*subjects)[i], (*diagnoses)[i].diagnosis);
     if (!written) return report(written.error());
   }
-  if (!options.report.empty()) {
-    if (auto written = write_report(options, *session, *diagnosis); !written) {
-      return report(written.error());
-    }
-  }
-  if (!options.write_plan.empty()) {
-    if (auto written = write_plan(options, *diagnosis, *model, session->axis); !written) {
-      return report(written.error());
-    }
-  }
-  if (options.json) {
-    fmt::print("{}\n", to_json(*diagnosis).dump());
+  if (options.all) {
+    const auto shared = compare_boards(*diagnoses);
+    fmt::print("{}", options.json ? to_json(*diagnoses, shared).dump() + "\n"
+                                  : to_text(*diagnoses, shared));
   } else {
-    fmt::print("{}", to_text(*diagnosis));
+    const Diagnosis& diagnosis = diagnoses->front().diagnosis;
+    fmt::print("{}", options.json ? to_json(diagnosis).dump() + "\n" : to_text(diagnosis));
   }
-  return options.verdict_as_exit_code ? verdict_code(diagnosis->verdict) : exit_done;
+  if (!options.database.empty()) {
+    if (auto stored = store_diagnoses(options.database, *subjects, *model, *diagnoses); !stored) {
+      return report(stored.error());
+    }
+  }
+  return options.verdict_as_exit_code ? verdict_code(diagnoses->front().diagnosis.verdict)
+                                      : exit_done;
 }
 
 }  // namespace
@@ -168,34 +165,47 @@ void add_diagnose(CLI::App& root, Chosen& chosen) {
       "diagnose",
       "Example: gyrocal diagnose --session DIR --json\n"
       "Example: gyrocal diagnose --db weekend.db --board A --axis z --write-rig-model better.json\n"
+      "Example: gyrocal diagnose --db weekend.db --all --jobs 2\n"
       "Compares a measured session with the simulated rig, names what the simulation lacks and "
-      "shows on kept-out dwells how much the gap shrinks.");
+      "shows on kept-out dwells how much the gap shrinks. With --db the diagnosis is kept in the "
+      "database (view gap_history).");
   const auto options = std::make_shared<Options>();
   auto* session = command->add_option("--session", options->session, "a session directory");
   auto* database = command->add_option("--db", options->database, "a campaign's database");
   session->excludes(database);
-  command->add_option("--board", options->board, "with --db: the board's name (the first one)");
-  command->add_option("--axis", options->axis, "with --db: x, y or z (z)")
-      ->check(CLI::IsMember({"x", "y", "z"}));
+  auto* board =
+      command->add_option("--board", options->board, "with --db: the board's name (the first one)");
+  auto* axis = command->add_option("--axis", options->axis, "with --db: x, y or z (z)")
+                   ->check(CLI::IsMember({"x", "y", "z"}));
+  auto* all = command->add_flag("--all", options->all,
+                                "with --db: every board and axis, and which effects they share "
+                                "(environment) or not (device)");
+  all->needs(database)->excludes(board)->excludes(axis);
   command->add_option("--rig-model", options->rig_model, "file, or the name of a shipped model");
-  command->add_option("--write-rig-model", options->write_rig_model,
-                      "write the model with what was found added");
-  command->add_option("--prediction", options->prediction,
-                      "write t_s,measured_dps,before_dps,after_dps for every monitor row");
-  command->add_option("--report", options->report, "write what was found as one HTML file");
+  command
+      ->add_option("--write-rig-model", options->write_rig_model,
+                   "write the model with what was found added")
+      ->excludes(all);
+  command
+      ->add_option("--prediction", options->prediction,
+                   "write t_s,measured_dps,before_dps,after_dps for every monitor row")
+      ->excludes(all);
+  command->add_option("--report", options->report, "write what was found as one HTML file")
+      ->excludes(all);
   auto* write_plan = command->add_option(
       "--write-plan", options->write_plan,
       "where names are left open: write a campaign file that would tell them apart");
   auto* campaign = command->add_option("--campaign", options->campaign,
                                        "the session's campaign file; default: the database's");
+  write_plan->excludes(all);
   campaign->needs(write_plan);
-  command
-      ->add_option("--jobs", options->jobs,
-                   "threads (one is used so far); the answer does not depend on it")
+  command->add_option("--jobs", options->jobs, "threads; the answer does not depend on it")
       ->check(CLI::Range(1, 256));
   command->add_flag("--json", options->json, "print JSON");
-  command->add_flag("--exit-code", options->verdict_as_exit_code,
-                    "exit 0 consistent, 10 explained, 11 unexplained, 12 confounded");
+  command
+      ->add_flag("--exit-code", options->verdict_as_exit_code,
+                 "exit 0 consistent, 10 explained, 11 unexplained, 12 confounded")
+      ->excludes(all);
   command->callback([options, session, database, write_plan, campaign, &chosen] {
     if (session->empty() && database->empty()) {
       throw CLI::RequiredError("--session DIR or --db FILE");

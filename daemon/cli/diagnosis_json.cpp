@@ -102,4 +102,39 @@ std::string to_text(const Diagnosis& diagnosis) {
   return text;
 }
 
+Json to_json(std::span<const AxisDiagnosis> diagnoses, std::span<const SharedEffect> shared) {
+  Json json = {{"format", "gyrocal-diagnosis-all/1"},
+               {"diagnoses", Json::array()},
+               {"shared", Json::array()}};
+  for (const AxisDiagnosis& one : diagnoses) {
+    json["diagnoses"].push_back(
+        {{"board", one.board}, {"axis", one.axis}, {"diagnosis", to_json(one.diagnosis)}});
+  }
+  for (const SharedEffect& effect : shared) {
+    json["shared"].push_back({{"effect", effect.effect},
+                              {"origin", gyrocal::to_text(effect.origin)},
+                              {"seen_in", effect.seen_in},
+                              {"absent_in", effect.absent_in},
+                              {"blind_in", effect.blind_in},
+                              {"sentence", effect.sentence}});
+  }
+  return json;
+}
+
+std::string to_text(std::span<const AxisDiagnosis> diagnoses,
+                    std::span<const SharedEffect> shared) {
+  std::string text;
+  for (const AxisDiagnosis& one : diagnoses) {
+    text += fmt::format("{}/{}: {}, gap {:.2f} -> {:.2f}\n", one.board, one.axis,
+                        gyrocal::to_text(one.diagnosis.verdict), one.diagnosis.gap.before,
+                        one.diagnosis.gap.after);
+    for (const Finding& finding : one.diagnosis.findings) {
+      text += fmt::format("  {}\n", finding.description);
+    }
+  }
+  if (!shared.empty()) text += "\n";
+  for (const SharedEffect& effect : shared) text += effect.sentence + "\n";
+  return text;
+}
+
 }  // namespace gyrocal::cli
