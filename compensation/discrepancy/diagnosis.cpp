@@ -9,6 +9,7 @@
 #include "compensation/discrepancy/fast_findings.h"
 #include "compensation/discrepancy/gap.h"
 #include "compensation/discrepancy/model_update.h"
+#include "compensation/discrepancy/null_gate.h"
 #include "compensation/discrepancy/session_check.h"
 #include "compensation/discrepancy/slow_limits.h"
 #include "compensation/discrepancy/slow_story.h"
@@ -278,12 +279,13 @@ Result<Diagnosis> diagnose(const Session& session, const rig::RigModel& model,
   add_acceleration(straight, stream, c.track);
   SlowModel slow(stream, c.track);
   give_known_effects(*given, model, c.axis, slow);
+  diagnosis.gate_nats = std::max(gate_nats, null_gate_nats(slow));
   const SlowModel before = slow;
   rig::RigModel fast_before = fast_part(model);
 
-  const std::vector<SlowFinding> story =
-      tell_slow_story(slow, session.sample_rate_hz, session.monitor_interval_s,
-                      excluded_effects(c.fast, c.track, fast), options.run_all);
+  const std::vector<SlowFinding> story = tell_slow_story(
+      slow, session.sample_rate_hz, session.monitor_interval_s,
+      excluded_effects(c.fast, c.track, fast), diagnosis.gate_nats, options.run_all);
   diagnosis.findings = to_findings(story);
   settle_between_channels(diagnosis.findings, fast, session.lsb_dps, c.law_after.bends());
   diagnosis.model = updated_model(model, slow, story, fast, c.fast.codes, c.axis, c.track);

@@ -60,6 +60,7 @@ struct Diagnosis {
   Verdict verdict = Verdict::consistent;
   std::vector<Finding> findings;
   Gap gap;
+  double gate_nats = 0;  ///< what a slow effect had to gain, by simulated sessions without any
   std::map<std::string, double> detection_limits;  ///< effect: smallest amplitude seen
   std::vector<std::string> not_observable;         ///< effects this session cannot show at all
   std::vector<GapStep> steps;

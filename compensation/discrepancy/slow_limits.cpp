@@ -96,7 +96,8 @@ void add_noise_limits(const SlowModel& model, std::map<std::string, double>& lim
   const auto limit = [&](double SlowNoiseShape::*part, double lowest) {
     SlowNoiseShape trial = model.fit().shape;
     trial.*part = lowest;
-    while (trial.*part < 1e6 && expected_gain(model.stream().grid(), trial) < gate_nats) {
+    const double without = expected_gain(model.stream().grid(), model.fit().shape);
+    while (trial.*part < 1e6 && expected_gain(model.stream().grid(), trial) - without < gate_nats) {
       trial.*part *= 1.3;
     }
     return model.fit().white_sd_dps * std::sqrt(trial.*part);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compensation/discrepancy/off_design.h"
+#include "compensation/discrepancy/scan_columns.h"
 #include "compensation/discrepancy/simplex.h"
 #include "compensation/values/assert.h"
 
@@ -26,49 +27,8 @@ struct Trial {
   std::size_t noise;  // index into the settings scanned
 };
 
-struct LawColumns {
-  const rig::Effect* effect;
-  const rig::Law* law;
-  std::vector<Values> rows;
-  Eigen::MatrixXd columns;
-};
-
-std::vector<LawColumns> all_columns(const SlowModel& model) {
-  std::vector<LawColumns> all;
-  for (const rig::Effect& effect : rig::catalogue()) {
-    if ((effect.channels & rig::slow_drift) == 0) continue;
-    for (const auto& law : effect.laws) {
-      LawColumns entry{&effect, law.get(), trial_values(effect, *law, model.track()), {}};
-      if (entry.rows.empty()) continue;
-      entry.columns.resize(model.y().size(), static_cast<Eigen::Index>(entry.rows.size()));
-      for (std::size_t i = 0; i < entry.rows.size(); ++i) {
-        entry.columns.col(static_cast<Eigen::Index>(i)) = model.column(*law, entry.rows[i]);
-      }
-      all.push_back(std::move(entry));
-    }
-  }
-  return all;
-}
-
-/// Gain of each column alone at fixed noise, the white level profiled out. A column that the
-/// design can make by itself gains nothing.
-Eigen::VectorXd gains(const Eigen::MatrixXd& white, const Eigen::MatrixXd& off,
-                      const Eigen::VectorXd& y_off) {
-  const double rss = y_off.squaredNorm();
-  const auto n = static_cast<double>(y_off.size());
-  Eigen::VectorXd gain(off.cols());
-  for (Eigen::Index i = 0; i < off.cols(); ++i) {
-    const double norm2 = off.col(i).squaredNorm();
-    const double share = norm2 > 1e-8 * white.col(i).squaredNorm()
-                             ? std::pow(off.col(i).dot(y_off), 2) / (norm2 * rss)
-                             : 0.0;
-    gain(i) = -0.5 * n * std::log1p(-std::min(share, 1 - 1e-12));
-  }
-  return gain;
-}
-
 /// The best few rows of a law at one noise, no two of them neighbours in the scan.
-void take_best(const LawColumns& entry, const Eigen::VectorXd& gain, std::size_t noise,
+void take_best(const ScanColumns& entry, const Eigen::VectorXd& gain, std::size_t noise,
                std::vector<Trial>& trials) {
   for (Eigen::Index i = 0; i < gain.size(); ++i) {
     const bool peak =
@@ -208,6 +168,18 @@ bool passed_whole(const SlowCandidate& candidate, const Track& track) {
   return below && above;
 }
 
+/// A jump that nobody saw, in a gap of the stream, may be anywhere in it: the middle is least
+/// wrong.
+void centre_unseen_jump(SlowCandidate& candidate, const SlowGrid& grid) {
+  constexpr double gap_s = 60;
+  if (candidate.term.effect->name != "bias_jump") return;
+  double& t0_s = candidate.term.values[1];
+  const auto after = std::upper_bound(grid.t_s.begin(), grid.t_s.end(), t0_s);
+  if (after == grid.t_s.begin() || after == grid.t_s.end()) return;
+  const double before_s = *(after - 1);
+  if (*after - before_s > gap_s) t0_s = (before_s + *after) / 2;
+}
+
 /// What a law is worth beside the others of its effect: each shape parameter is paid for, and the
 /// usual law is preferred where there is nothing to choose.
 double worth(const SlowCandidate& candidate) {
@@ -249,7 +221,7 @@ SlowCandidate refine(const SlowModel& model, const rig::Effect& effect, const ri
 }
 
 std::vector<SlowCandidate> search_effects(const SlowModel& model, const Executor& run_all) {
-  const std::vector<LawColumns> all = all_columns(model);
+  const std::vector<ScanColumns> all = scan_columns(model);
   const SlowNoiseShape free = model.fit_free().shape;
   const SlowNoiseShape between{free.flicker_ratio * 0.05, free.walk_ratio * 0.05};
   const std::array<SlowNoiseShape, 3> settings{free, between, model.fit().shape};
@@ -258,9 +230,9 @@ std::vector<SlowCandidate> search_effects(const SlowModel& model, const Executor
     if (s > 0 && settings[s] == settings[s - 1]) continue;
     const OffDesign design(model, settings[s]);
     const Eigen::VectorXd y_off = design.off(model.y());
-    for (const LawColumns& entry : all) {
+    for (const ScanColumns& entry : all) {
       const Eigen::MatrixXd white = design.whitener().whiten(entry.columns);
-      take_best(entry, gains(white, design.off_white(white), y_off), s, trials);
+      take_best(entry, column_gains(white, design.off_white(white), y_off), s, trials);
     }
   }
   const std::vector<Trial> starts = choose(std::move(trials));
@@ -272,6 +244,7 @@ std::vector<SlowCandidate> search_effects(const SlowModel& model, const Executor
   std::vector<SlowCandidate> best;
   for (SlowCandidate& candidate : refined) {
     if (candidate.term.effect == nullptr || !passed_whole(candidate, model.track())) continue;
+    centre_unseen_jump(candidate, model.stream().grid());
     const auto same = std::find_if(best.begin(), best.end(), [&](const SlowCandidate& other) {
       return other.term.effect == candidate.term.effect;
     });

@@ -72,11 +72,6 @@ void apply(SlowModel& model, const std::vector<SlowOption>& chapters, const Give
   model.refit();
 }
 
-/// Over the gate, and not by what noise could do as well.
-bool passes(const SlowOption& option) {
-  return option.score >= gate_nats && option.beyond_noise >= gate_nats;
-}
-
 constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
 /// A relay that flips once and a bend passed once are a jump by another name: what happens once is
@@ -121,8 +116,9 @@ std::vector<std::string> already(const std::vector<SlowOption>& chapters,
 class Story {
  public:
   Story(SlowModel& model, double sample_rate_hz, double interval_s,
-        const std::vector<std::string>& excluded, const Executor& run_all)
+        const std::vector<std::string>& excluded, double gate, const Executor& run_all)
       : model_(model),
+        gate_nats_(gate),
         run_all_(run_all),
         sample_rate_hz_(sample_rate_hz),
         excluded_(excluded),
@@ -151,6 +147,11 @@ class Story {
   }
 
  private:
+  /// Over the gate, and not by what noise could do as well.
+  [[nodiscard]] bool passes(const SlowOption& option) const {
+    return option.score >= gate_nats_ && option.beyond_noise >= gate_nats_;
+  }
+
   void remake(std::size_t leave_out = nobody) {
     apply(model_, chapters_, given_, leave_out);
     if (leave_out != nobody) return;
@@ -192,7 +193,12 @@ class Story {
     added.finding.evidence_nats = added.score;
   }
 
+  /// Where what has no name leads, no name will be believed whatever its place.
   [[nodiscard]] bool worth_another_look() const {
+    const auto strongest = std::max_element(
+        chapters_.begin(), chapters_.end(),
+        [](const SlowOption& a, const SlowOption& b) { return a.score < b.score; });
+    if (strongest == chapters_.end() || is_unknown(*strongest)) return false;
     return chapters_.size() > 1 ||
            (chapters_.size() == 1 && !chapters_.front().finding.rivals.empty());
   }
@@ -207,7 +213,7 @@ class Story {
           slow_options(model_, sample_rate_hz_, already(chapters_, excluded_, i), run_all_);
       const double leftover = expected_leftover(i);
       const auto best =
-          std::find_if(options.begin(), options.end(), [leftover](const SlowOption& option) {
+          std::find_if(options.begin(), options.end(), [this, leftover](const SlowOption& option) {
             return passes(option) && option.score >= leftover;
           });
       if (best == options.end()) {
@@ -325,6 +331,7 @@ class Story {
   }
 
   SlowModel& model_;
+  double gate_nats_;
   const Executor& run_all_;
   double sample_rate_hz_;
   std::vector<std::string> excluded_;
@@ -335,9 +342,9 @@ class Story {
 }  // namespace
 
 std::vector<SlowFinding> tell_slow_story(SlowModel& model, double sample_rate_hz, double interval_s,
-                                         const std::vector<std::string>& excluded,
+                                         const std::vector<std::string>& excluded, double gate,
                                          const Executor& run_all) {
-  Story story(model, sample_rate_hz, interval_s, excluded, run_all);
+  Story story(model, sample_rate_hz, interval_s, excluded, gate, run_all);
   story.tell();
   return story.findings();
 }

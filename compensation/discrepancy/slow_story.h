@@ -36,10 +36,11 @@ inline constexpr double lead_to_name_nats = 5;
 /// found. Leaves in `model` the terms, noise and shapes found.
 /// @param sample_rate_hz  tells which slow sine may be the alias of a mains frequency.
 /// @param interval_s  of the monitor: how well the instants of temperatures are known.
+/// @param gate  what a law must gain [nat], at least `gate_nats`.
 /// @param excluded  effects not to be searched for: named by another channel, or impossible here.
 [[nodiscard]] std::vector<SlowFinding> tell_slow_story(SlowModel& model, double sample_rate_hz,
                                                        double interval_s,
                                                        const std::vector<std::string>& excluded,
-                                                       const Executor& run_all);
+                                                       double gate, const Executor& run_all);
 
 }  // namespace gyrocal

@@ -56,6 +56,7 @@ Json to_json(const Diagnosis& diagnosis) {
                    {"distribution_share", channel(gap.distribution_share)},
                    {"link_share", channel(gap.link_share)}}},
                  {"held_out_dwells", gap.held_out_dwells}};
+  json["gate_nats"] = number(diagnosis.gate_nats);
   json["detection_limits"] = Json::object();
   for (const auto& [name, limit] : diagnosis.detection_limits) {
     json["detection_limits"][name] = number(limit);
