@@ -93,7 +93,7 @@ std::vector<double> noise_factors(const CodeFindings& codes, const Track& track)
 /// Rows that runs of stuck samples or glitches fell into are no Gaussian's: then even a moderate
 /// outlier is left out.
 double lone_outlier_sd(const CodeFindings& codes) {
-  return codes.stuck_nats > gate_nats || codes.outlier_nats > gate_nats ? 4 : 8;
+  return codes.stuck_nats > gate_nats || codes.outlier_nats > gate_nats ? 4 : lone_outlier_sd_usual;
 }
 
 /// A setup shared by all steps of one diagnosis.

@@ -40,6 +40,8 @@ class SlowStream {
   std::vector<Tap> taps_;
 };
 
+inline constexpr double lone_outlier_sd_usual = 8;
+
 /// Rows a fit may use: with a gyro mean, not kept out, and not one that stands alone far from its
 /// neighbours (a glitch in one sample moves a five-second mean by dozens of its deviations).
 struct RowChoice {
@@ -48,7 +50,7 @@ struct RowChoice {
 };
 /// @param lone_outlier_sd  how far off a row must stand to be left out.
 [[nodiscard]] RowChoice training_rows(const Session& session, std::span<const Segment> segments,
-                                      double lone_outlier_sd);
+                                      double lone_outlier_sd = lone_outlier_sd_usual);
 
 /// White noise of a one-second mean, from neighbouring rows' differences: blind to everything slow
 /// and to glitches [deg/s].
