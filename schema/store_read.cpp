@@ -169,14 +169,12 @@ Result<std::optional<OpenCampaign>> Store::open_campaign() const {
   auto found = boards(open->id);
   if (!found) return tl::unexpected(found.error());
   open->boards = std::move(*found);
+  auto attempts = dwells(open->id);
+  if (!attempts) return tl::unexpected(attempts.error());
+  open->dwells = std::move(*attempts);
   read = for_each_row(
-      impl_->database, select_dwells,
-      [&](const Statement& row) { open->dwells.push_back(dwell_from(row)); }, key(open->id));
-  if (read) {
-    read = for_each_row(
-        impl_->database, t_last, [&](const Statement& row) { open->t_last_ns = row.integer(0); },
-        key(open->id));
-  }
+      impl_->database, t_last, [&](const Statement& row) { open->t_last_ns = row.integer(0); },
+      key(open->id));
   if (!read) return tl::unexpected(read.error());
   return open;
 }

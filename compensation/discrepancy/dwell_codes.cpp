@@ -8,6 +8,8 @@
 #include <map>
 #include <numbers>
 
+#include "compensation/discrepancy/median.h"
+
 namespace gyrocal {
 namespace {
 
@@ -318,9 +320,7 @@ CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps) {
   const double lsb = findings.quantised ? lsb_dps : 0;
   std::vector<double> levels;
   for (const DwellData& dwell : dwells) levels.push_back(white_sd(dwell, lsb));
-  std::nth_element(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2),
-                   levels.end());
-  findings.white_sd_dps = levels[levels.size() / 2];
+  findings.white_sd_dps = median_of(std::move(levels));
   if (findings.quantised) {
     Counts counts;
     for (const DwellData& dwell : dwells) {

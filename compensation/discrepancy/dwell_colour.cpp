@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "compensation/discrepancy/median.h"
 #include "compensation/discrepancy/simplex.h"
 #include "compensation/discrepancy/slow_noise.h"
 
@@ -223,9 +224,7 @@ Traces clipped_traces(std::span<const DwellData> dwells) {
   for (const DwellData& dwell : dwells) {
     std::vector<double> size;
     for (const double y : dwell.y_dps) size.push_back(std::abs(y - dwell.mean_dps));
-    const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
-    std::nth_element(size.begin(), middle, size.end());
-    const double limit = std::max(clip_sd * 1.4826 * *middle, 1e-9);
+    const double limit = std::max(clip_sd * 1.4826 * median_of(std::move(size)), 1e-9);
     std::vector<double> trace;
     for (const double y : dwell.y_dps) {
       trace.push_back(std::clamp(y - dwell.mean_dps, -limit, limit));

@@ -6,6 +6,8 @@
 #include <map>
 #include <unsupported/Eigen/FFT>
 
+#include "compensation/discrepancy/median.h"
+
 namespace gyrocal {
 namespace {
 
@@ -37,9 +39,7 @@ void spectrum_features(std::span<const double> y, std::span<const std::int64_t> 
         std::log(sum / static_cast<double>(std::max<std::size_t>(high - low, 1)));
   }
   const double peak = *std::max_element(power.begin(), power.end());
-  std::nth_element(power.begin(), power.begin() + static_cast<std::ptrdiff_t>(power.size() / 2),
-                   power.end());
-  features.spectrum[DwellFeatures::bands] = std::log(peak / power[power.size() / 2]);
+  features.spectrum[DwellFeatures::bands] = std::log(peak / median_of(std::move(power)));
 }
 
 double empty_codes(std::span<const double> y, double mean, double sd, double lsb) {

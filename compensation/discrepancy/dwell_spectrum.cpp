@@ -5,6 +5,8 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
+#include "compensation/discrepancy/median.h"
+
 namespace gyrocal {
 namespace {
 
@@ -28,12 +30,6 @@ std::vector<double> periodogram(const DwellData& dwell, std::size_t n) {
     power[k] = std::norm(transform[k]) / static_cast<double>(n);
   }
   return power;
-}
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Running median, narrow at the low end where coloured noise bends, wide above.

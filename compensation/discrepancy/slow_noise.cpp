@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compensation/discrepancy/median.h"
 #include "compensation/values/assert.h"
 
 namespace gyrocal {
@@ -17,9 +18,7 @@ using States = std::array<double, states_max>;
 double median_step_s(const std::vector<double>& t_s) {
   std::vector<double> step(t_s.size() - 1);
   for (std::size_t i = 0; i + 1 < t_s.size(); ++i) step[i] = t_s[i + 1] - t_s[i];
-  const auto middle = step.begin() + static_cast<std::ptrdiff_t>(step.size() / 2);
-  std::nth_element(step.begin(), middle, step.end());
-  return *middle;
+  return median_of(std::move(step));
 }
 
 /// The covariance of a few states and its two moves. Plain arrays: this is the innermost loop.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compensation/discrepancy/median.h"
 #include "compensation/values/assert.h"
 
 namespace gyrocal {
@@ -23,12 +24,6 @@ Place place_on(const Track& track, double t_s) {
                                static_cast<double>(track.record.size() - 1));
   const auto left = std::min(static_cast<std::size_t>(at), track.record.size() - 2);
   return {left, at - static_cast<double>(left)};
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Distance of each value from the median of its two neighbours on either side.
@@ -102,7 +97,7 @@ RowChoice training_rows(const Session& session, std::span<const Segment> segment
   std::vector<double> size(distance.size());
   std::transform(distance.begin(), distance.end(), size.begin(),
                  [](double d) { return std::abs(d); });
-  const double limit = size.empty() ? 0 : lone_outlier_sd * 1.4826 * median(size);
+  const double limit = size.empty() ? 0 : lone_outlier_sd * 1.4826 * median_of(size);
   RowChoice choice;
   for (std::size_t i = 0; i < usable.size(); ++i) {
     if (limit > 0 && size[i] > limit) {
@@ -122,7 +117,7 @@ double row_white_sd_dps(const Session& session, std::span<const std::size_t> row
         std::abs(session.monitor[rows[i]].gyro_dps - session.monitor[rows[i - 1]].gyro_dps));
   }
   if (size.empty()) return 0;
-  return 1.4826 * median(std::move(size)) / std::numbers::sqrt2 *
+  return 1.4826 * median_of(std::move(size)) / std::numbers::sqrt2 *
          std::sqrt(session.monitor_interval_s);
 }
 

@@ -58,7 +58,7 @@ bool is_pair(const PlanPair& a, const PlanPair& b) {
          (a.effect == b.rival && a.rival == b.effect);
 }
 
-std::vector<PlanPair> newly_separated(const PlanPower& before, const PlanPower& after) {
+std::vector<PlanPair> newly_separated(const PlanContrast& before, const PlanContrast& after) {
   std::vector<PlanPair> separated;
   for (const PlanPair& now : after.pairs) {
     if (!is_told_apart(now)) continue;
@@ -74,13 +74,13 @@ std::vector<PlanPair> newly_separated(const PlanPower& before, const PlanPower& 
 
 Result<std::vector<PlanAddition>> plan_additions(const rig::SessionPlan& plan,
                                                  const rig::RigModel& model, Axis axis,
-                                                 const PlanPower& power) {
+                                                 const PlanContrast& present) {
   std::vector<PlanAddition> additions = candidates(plan);
   for (PlanAddition& addition : additions) {
-    const auto with_it = plan_power(addition.plan, model, axis);
+    const auto with_it = plan_contrast(addition.plan, model, axis);
     if (!with_it) return tl::unexpected(with_it.error());
-    addition.extra_h = with_it->duration_h - power.duration_h;
-    addition.separated = newly_separated(power, *with_it);
+    addition.extra_h = with_it->duration_h - present.duration_h;
+    addition.separated = newly_separated(present, *with_it);
   }
   const auto worth = [](const PlanAddition& addition) {
     return static_cast<double>(addition.separated.size()) / (1 + std::max(0.0, addition.extra_h));

@@ -16,11 +16,12 @@ struct PlanAddition {
 };
 
 /// Revisits of four temperatures, going back down, a soak three times as long, a power cycle half
-/// way with a revisit: each alone, judged against `power` of the plan itself. Those that separate
+/// way with a revisit: each alone, judged against the plan itself, `present`. Those that separate
 /// most pairs for their hours come first; those that separate none come last.
-/// @return errors of plan_power().
+/// @return errors of plan_contrast().
 [[nodiscard]] Result<std::vector<PlanAddition>> plan_additions(const rig::SessionPlan& plan,
                                                                const rig::RigModel& model,
-                                                               Axis axis, const PlanPower& power);
+                                                               Axis axis,
+                                                               const PlanContrast& present);
 
 }  // namespace gyrocal

@@ -8,6 +8,7 @@
 #include "compensation/discrepancy/diagnosis.h"
 #include "compensation/discrepancy/model_update.h"
 #include "compensation/discrepancy/off_design.h"
+#include "compensation/discrepancy/scan_columns.h"
 #include "compensation/discrepancy/slow_story.h"
 #include "compensation/rig/effects/catalogue.h"
 #include "compensation/rig/simulate_session.h"
@@ -29,39 +30,36 @@ struct Traces {
 };
 
 /// What one law adds, all shapes; traces the bias curve makes by itself are left out.
-void add_law(const SlowModel& model, const OffDesign& design, const rig::Law& law, Traces& traces) {
-  const auto trials = trial_values(*traces.effect, law, model.track());
-  const bool is_usual_law = traces.effect->laws.front().get() == &law;
-  std::vector<Eigen::VectorXd> columns;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const Eigen::VectorXd white = design.whitener().whiten(model.column(law, trials[i]));
-    const Eigen::VectorXd off = design.off_white(white);
-    const double length = off.norm();
-    if (length <= observable_share * white.norm() || length == 0) continue;
-    if (is_usual_law && (columns.empty() || i <= trials.size() / 2)) {
-      traces.typical = traces.unit.cols() + static_cast<Eigen::Index>(columns.size());
-      traces.typical_length = length / model.fit().white_sd_dps;
-      traces.at = trials[i].front();
-    }
-    columns.push_back(off / length);
-  }
+void add_law(const ScanColumns& law, const OffDesign& design, double white_sd_dps, Traces& traces) {
+  const bool is_usual_law = traces.effect->laws.front().get() == law.law;
+  const Eigen::MatrixXd white = design.whitener().whiten(law.columns);
+  const Eigen::MatrixXd off = design.off_white(white);
   const Eigen::Index before = traces.unit.cols();
-  traces.unit.conservativeResize(model.y().size(),
-                                 before + static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    traces.unit.col(before + static_cast<Eigen::Index>(i)) = columns[i];
+  traces.unit.conservativeResize(white.rows(), before + off.cols());
+  Eigen::Index kept = before;
+  for (Eigen::Index i = 0; i < off.cols(); ++i) {
+    const double length = off.col(i).norm();
+    if (length <= observable_share * white.col(i).norm() || length == 0) continue;
+    if (is_usual_law && (kept == before || i <= off.cols() / 2)) {
+      traces.typical = kept;
+      traces.typical_length = length / white_sd_dps;
+      traces.at = law.rows[static_cast<std::size_t>(i)].front();
+    }
+    traces.unit.col(kept++) = off.col(i) / length;
   }
+  traces.unit.conservativeResize(Eigen::NoChange, kept);
 }
 
 std::vector<Traces> all_traces(const SlowModel& model) {
   const OffDesign design(model, model.fit().shape);
   std::vector<Traces> all;
-  for (const rig::Effect& effect : rig::catalogue()) {
-    if ((effect.channels & rig::slow_drift) == 0) continue;
-    Traces traces{&effect, Eigen::MatrixXd(model.y().size(), 0)};
-    for (const auto& law : effect.laws) add_law(model, design, *law, traces);
-    if (traces.unit.cols() > 0 && traces.typical_length > 0) all.push_back(std::move(traces));
+  for (const ScanColumns& law : scan_columns(model)) {
+    if (all.empty() || all.back().effect != law.effect) {
+      all.push_back({law.effect, Eigen::MatrixXd(model.y().size(), 0)});
+    }
+    add_law(law, design, model.fit().white_sd_dps, all.back());
   }
+  std::erase_if(all, [](const Traces& traces) { return traces.typical_length == 0; });
   return all;
 }
 
@@ -125,6 +123,20 @@ Result<std::vector<PlanPair>> pairs_of(const Session& session, const rig::RigMod
   return all_pairs(all_traces(slow));
 }
 
+Result<Session> simulated(const rig::SessionPlan& plan, const rig::RigModel& model, Axis axis) {
+  if (auto good = rig::check(plan); !good) return tl::unexpected(good.error());
+  if (const auto known = rig::instantiate(model); !known) return tl::unexpected(known.error());
+  return rig::simulate_session(model, plan, seed, {0, axis});
+}
+
+Result<PlanContrast> contrast_of(const Session& session, const rig::SessionPlan& plan,
+                                 const rig::RigModel& model, Axis axis) {
+  auto pairs = pairs_of(session, model, axis);
+  if (!pairs) return tl::unexpected(pairs.error());
+  const double end_s = rig::schedule(plan, model.baseline.chamber, seed).end_s;
+  return PlanContrast{end_s / 3600, std::move(*pairs)};
+}
+
 }  // namespace
 
 bool is_told_apart(const PlanPair& pair) {
@@ -132,17 +144,24 @@ bool is_told_apart(const PlanPair& pair) {
   return lead_to_name_nats <= told_apart_factor * told_apart_factor * gate_nats * pair.share_left;
 }
 
+Result<PlanContrast> plan_contrast(const rig::SessionPlan& plan, const rig::RigModel& model,
+                                   Axis axis) {
+  const auto session = simulated(plan, model, axis);
+  if (!session) return tl::unexpected(session.error());
+  return contrast_of(*session, plan, model, axis);
+}
+
 Result<PlanPower> plan_power(const rig::SessionPlan& plan, const rig::RigModel& model, Axis axis) {
-  if (auto good = rig::check(plan); !good) return tl::unexpected(good.error());
-  if (const auto known = rig::instantiate(model); !known) return tl::unexpected(known.error());
-  const Session session = rig::simulate_session(model, plan, seed, {0, axis});
-  auto pairs = pairs_of(session, model, axis);
-  if (!pairs) return tl::unexpected(pairs.error());
-  const auto diagnosis = diagnose(session, model, {});
+  const auto session = simulated(plan, model, axis);
+  if (!session) return tl::unexpected(session.error());
+  auto contrast = contrast_of(*session, plan, model, axis);
+  if (!contrast) return tl::unexpected(contrast.error());
+  const auto diagnosis = diagnose(*session, model, {});
   if (!diagnosis) return tl::unexpected(diagnosis.error());
   PlanPower power;
-  power.dwells = static_cast<int>(session.dwells.size());
-  power.duration_h = rig::schedule(plan, model.baseline.chamber, seed).end_s / 3600;
+  power.duration_h = contrast->duration_h;
+  power.pairs = std::move(contrast->pairs);
+  power.dwells = static_cast<int>(session->dwells.size());
   power.not_observable = diagnosis->not_observable;
   for (const rig::Effect& effect : rig::catalogue()) {
     const auto found = diagnosis->detection_limits.find(std::string(effect.name));
@@ -151,7 +170,6 @@ Result<PlanPower> plan_power(const rig::SessionPlan& plan, const rig::RigModel& 
                             std::string(effect.laws.front()->info.parameters.front().unit),
                             found->second});
   }
-  power.pairs = std::move(*pairs);
   return power;
 }
 

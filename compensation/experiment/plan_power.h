@@ -29,13 +29,17 @@ struct PlanPair {
   std::string tell_apart;  ///< the observation that would
 };
 
-/// What a campaign with this plan could show of one axis of one board.
-struct PlanPower {
-  int dwells = 0;
+/// How well a plan tells drifts apart, and for how long a campaign.
+struct PlanContrast {
   double duration_h = 0;
+  std::vector<PlanPair> pairs;  ///< every pair of drifts, most alike first
+};
+
+/// What a campaign with this plan could show of one axis of one board.
+struct PlanPower : PlanContrast {
+  int dwells = 0;
   std::vector<PlanLimit> limits;            ///< in the catalogue's order
   std::vector<std::string> not_observable;  ///< effects this plan cannot show at all
-  std::vector<PlanPair> pairs;              ///< every pair of drifts, most alike first
 };
 
 /// A pair counts as told apart if at the effect's own detection limit the names are at most this
@@ -48,6 +52,10 @@ inline constexpr double told_apart_factor = 2;
 /// make with any of its laws and shapes: predicted lead = amplitude^2 |trace|^2 (1 - rho^2) / 2.
 /// Source: discrepancy_methods.md section 2, step 8.
 /// @return errors of the plan, of the rig model, and too_few_points for a plan too short to judge.
+[[nodiscard]] Result<PlanContrast> plan_contrast(const rig::SessionPlan& plan,
+                                                 const rig::RigModel& model, Axis axis);
+
+/// That, and the detection limits of a diagnosis of the same simulated session.
 [[nodiscard]] Result<PlanPower> plan_power(const rig::SessionPlan& plan, const rig::RigModel& model,
                                            Axis axis);
 

@@ -9,11 +9,13 @@
 #include "compensation/discrepancy/coherence.h"
 #include "compensation/discrepancy/diagnosis.h"
 #include "config/rig_model.h"
+#include "daemon/cli/axis_name.h"
 #include "daemon/cli/command.h"
 #include "daemon/cli/diagnosis_json.h"
 #include "daemon/cli/diagnosis_subjects.h"
 #include "daemon/cli/outcome.h"
 #include "daemon/cli/plan_file.h"
+#include "daemon/cli/text_output.h"
 #include "daemon/report/diagnosis_report.h"
 #include "gyrocal_version.h"
 #include "schema/store.h"
@@ -85,10 +87,10 @@ Result<void> write_plan(const Options& options, const Diagnosis& diagnosis,
   const auto campaign = campaign_of(options);
   if (!campaign) return tl::unexpected(campaign.error());
   const rig::SessionPlan plan = session_plan(*campaign);
-  const Axis axis = axis_name == "x" ? Axis::x : axis_name == "y" ? Axis::y : Axis::z;
-  const auto power = plan_power(plan, model, axis);
-  if (!power) return tl::unexpected(power.error());
-  const auto additions = plan_additions(plan, model, axis, *power);
+  const Axis axis = axis_named(axis_name);
+  const auto contrast = plan_contrast(plan, model, axis);
+  if (!contrast) return tl::unexpected(contrast.error());
+  const auto additions = plan_additions(plan, model, axis, *contrast);
   if (!additions) return tl::unexpected(additions.error());
   const auto text = campaign_with_best(*campaign, *additions, open);
   if (!text) return tl::unexpected(text.error());

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 
+#include "daemon/cli/axis_name.h"
 #include "daemon/cli/diagnosis_rows.h"
 #include "daemon/cli/worker_threads.h"
 #include "gyrocal_version.h"
@@ -14,10 +15,6 @@ namespace gyrocal::cli {
 namespace {
 
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
-
-Axis axis_of(const std::string& name) {
-  return name == "x" ? Axis::x : name == "y" ? Axis::y : Axis::z;
-}
 
 }  // namespace
 
@@ -39,7 +36,7 @@ Result<std::vector<Subject>> subjects_of_database(const std::string& database,
     if (wanted && !wanted->board.empty() && board.name != wanted->board) continue;
     for (std::size_t k = 0; k < axis_names.size(); ++k) {
       if (!(wanted ? axis_names[k] == wanted->axis : board.measured[k])) continue;
-      auto session = store->session(**campaign, id, axis_of(axis_names[k]));
+      auto session = store->session(**campaign, id, axis_named(axis_names[k]));
       if (!session) return tl::unexpected(session.error());
       subjects.push_back({board.name, axis_names[k], id, *std::move(session)});
     }
@@ -69,7 +66,7 @@ Result<void> store_diagnoses(const std::string& database, const std::vector<Subj
   if (!store) return tl::unexpected(store.error());
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     const Subject& subject = subjects[i];
-    const DiagnosedSession session{*subject.id, axis_of(subject.axis),
+    const DiagnosedSession session{*subject.id, axis_named(subject.axis),
                                    subject.board + "/" + subject.axis, GYROCAL_VERSION};
     if (auto stored = store_diagnosis(*store, session, model, diagnoses[i].diagnosis); !stored) {
       return stored;

@@ -1,9 +1,6 @@
 #include <fmt/core.h>
 
-#include <cerrno>
-#include <fstream>
 #include <memory>
-#include <system_error>
 
 #include "compensation/firmware/export.h"
 #include "config/drift_model/model_file.h"
@@ -11,6 +8,7 @@
 #include "daemon/cli/csv_columns.h"
 #include "daemon/cli/outcome.h"
 #include "daemon/cli/stored_drift.h"
+#include "daemon/cli/text_output.h"
 #include "gyrocal_version.h"
 
 namespace gyrocal::cli {
@@ -107,13 +105,7 @@ Result<void> write_text(const std::string& path, const std::string& text) {
     fmt::print("{}", text);
     return {};
   }
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file << text << std::flush;
-  if (file) return {};
-  const int code = errno;
-  return fail(Errc::storage,
-              fmt::format("cannot write {}: {}", path, std::generic_category().message(code)),
-              "check path and space");
+  return write_text_file(path, text);
 }
 
 int write_firmware(const FirmwareOptions& options) {

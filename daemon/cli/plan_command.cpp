@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "config/rig_model.h"
+#include "daemon/cli/axis_name.h"
 #include "daemon/cli/command.h"
 #include "daemon/cli/outcome.h"
 #include "daemon/cli/plan_file.h"
+#include "daemon/cli/text_output.h"
 
 namespace gyrocal::cli {
 namespace {
@@ -26,10 +28,6 @@ struct Answer {
   PlanPower power;
   std::vector<PlanAddition> additions;
 };
-
-Axis axis_of(const std::string& name) {
-  return name == "x" ? Axis::x : name == "y" ? Axis::y : Axis::z;
-}
 
 Json to_json(const PlanPair& pair) {
   return {
@@ -109,7 +107,7 @@ int plan(const Options& options) {
   const auto model = read_rig_model(options.rig_model);
   if (!model) return report(model.error());
   const rig::SessionPlan session = session_plan(*config);
-  const Axis axis = axis_of(options.axis);
+  const Axis axis = axis_named(options.axis);
   auto power = plan_power(session, *model, axis);
   if (!power) return report(power.error());
   auto additions = plan_additions(session, *model, axis, *power);

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "config/campaign_variant.h"
 
@@ -60,15 +59,6 @@ Result<std::string> campaign_with_best(const CampaignConfig& config,
   for (const double visit : useful->plan.setpoints_c) variant.visits.push_back({visit});
   if (useful->plan.soak_s != config.stability.soak_s_min) variant.soak_s_min = useful->plan.soak_s;
   return campaign_variant(config, variant);
-}
-
-Result<void> write_text_file(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out << text;
-  out.close();
-  if (out) return {};
-  return fail(Errc::storage, fmt::format("{}: cannot be written", path),
-              "does the folder exist, is there room?");
 }
 
 }  // namespace gyrocal::cli

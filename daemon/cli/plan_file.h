@@ -23,7 +23,4 @@ using EffectPair = std::pair<std::string, std::string>;
                                                      const std::vector<PlanAddition>& additions,
                                                      const std::vector<EffectPair>& wanted);
 
-/// @return storage if the file cannot be written.
-[[nodiscard]] Result<void> write_text_file(const std::string& path, const std::string& text);
-
 }  // namespace gyrocal::cli

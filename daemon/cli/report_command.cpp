@@ -4,7 +4,7 @@
 
 #include "daemon/cli/command.h"
 #include "daemon/cli/outcome.h"
-#include "daemon/cli/plan_file.h"
+#include "daemon/cli/text_output.h"
 #include "daemon/report/campaign_report.h"
 #include "daemon/report/gnuplot.h"
 #include "gyrocal_version.h"

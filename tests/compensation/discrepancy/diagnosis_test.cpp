@@ -5,17 +5,11 @@
 
 #include "compensation/discrepancy/segments.h"
 #include "compensation/rig/simulate_session.h"
+#include "tests/compensation/quiet_rig.h"
 
 using namespace gyrocal;
 
 namespace {
-
-rig::RigModel quiet_rig() {
-  rig::RigModel model;
-  model.baseline.noise_dps = 0.1;
-  model.baseline.lsb_per_dps = 20;
-  return model;
-}
 
 Session hysteresis_session() {
   rig::RigModel model = quiet_rig();

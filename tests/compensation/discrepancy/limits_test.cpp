@@ -4,29 +4,16 @@
 
 #include "compensation/discrepancy/diagnosis.h"
 #include "compensation/rig/simulate_session.h"
+#include "tests/compensation/quiet_rig.h"
 
 using namespace gyrocal;
 
 namespace {
 
-rig::RigModel quiet_rig() {
-  rig::RigModel model;
-  model.baseline.noise_dps = 0.1;
-  model.baseline.lsb_per_dps = 20;
-  return model;
-}
-
-rig::SessionPlan up_down() {
-  rig::SessionPlan plan;
-  plan.sweep = rig::Sweep::up_down;
-  plan.samples_per_dwell = 1000;
-  return plan;
-}
-
 bool found_with(const rig::EffectUse& use, std::uint64_t seed) {
   rig::RigModel model = quiet_rig();
   model.effects.push_back(use);
-  const auto found = diagnose(rig::simulate_session(model, up_down(), seed), {}, {});
+  const auto found = diagnose(rig::simulate_session(model, short_up_down(), seed), {}, {});
   REQUIRE(found.has_value());
   return std::any_of(found->findings.begin(), found->findings.end(), [&](const Finding& finding) {
     return finding.effect == use.effect ||
@@ -38,7 +25,7 @@ bool found_with(const rig::EffectUse& use, std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("an effect of twice its detection limit is found, one of a third is not") {
-  const auto quiet = diagnose(rig::simulate_session(quiet_rig(), up_down(), 20), {}, {});
+  const auto quiet = diagnose(rig::simulate_session(quiet_rig(), short_up_down(), 20), {}, {});
   REQUIRE(quiet.has_value());
   const auto& limits = quiet->detection_limits;
   struct Case {

@@ -5,29 +5,16 @@
 
 #include "compensation/discrepancy/diagnosis.h"
 #include "compensation/rig/simulate_session.h"
+#include "tests/compensation/quiet_rig.h"
 
 using namespace gyrocal;
 
 namespace {
 
-rig::RigModel quiet_rig() {
-  rig::RigModel model;
-  model.baseline.noise_dps = 0.1;
-  model.baseline.lsb_per_dps = 20;
-  return model;
-}
-
-rig::SessionPlan up_down() {
-  rig::SessionPlan plan;
-  plan.sweep = rig::Sweep::up_down;
-  plan.samples_per_dwell = 1000;
-  return plan;
-}
-
 /// A quiet session with a drift added that no effect of the catalogue makes.
 template <class Drift>
 Session with_drift(const Drift& drift_dps) {
-  Session session = rig::simulate_session(quiet_rig(), up_down(), 11);
+  Session session = rig::simulate_session(quiet_rig(), short_up_down(), 11);
   for (MonitorRow& row : session.monitor) row.gyro_dps += drift_dps(row.t_s);
   for (SessionSample& sample : session.samples) sample.gyro_dps += drift_dps(sample.t_s);
   return session;
@@ -59,7 +46,7 @@ TEST_CASE("a random walk and flicker keep their names") {
     CAPTURE(effect);
     rig::RigModel model = quiet_rig();
     model.effects.push_back({effect, "", {{parameter, size}}});
-    const auto found = diagnose(rig::simulate_session(model, up_down(), 12), {}, {});
+    const auto found = diagnose(rig::simulate_session(model, short_up_down(), 12), {}, {});
     REQUIRE(found.has_value());
     REQUIRE(found->findings.size() == 1);
     CHECK(found->findings[0].effect == effect);
@@ -68,11 +55,11 @@ TEST_CASE("a random walk and flicker keep their names") {
 }
 
 TEST_CASE("white noise that grows with time is told as such, with its rate") {
-  Session session = rig::simulate_session(quiet_rig(), up_down(), 13);
+  Session session = rig::simulate_session(quiet_rig(), short_up_down(), 13);
   rig::RigModel other = quiet_rig();
   // The second half of the campaign from a noisier rig of the same seed.
   other.baseline.noise_dps = 0.13;
-  const Session noisy = rig::simulate_session(other, up_down(), 13);
+  const Session noisy = rig::simulate_session(other, short_up_down(), 13);
   const double half_s = session.dwells[session.dwells.size() / 2].t_start_s;
   for (std::size_t i = 0; i < session.samples.size(); ++i) {
     if (session.samples[i].t_s > half_s) session.samples[i] = noisy.samples[i];
@@ -86,7 +73,7 @@ TEST_CASE("white noise that grows with time is told as such, with its rate") {
 
 TEST_CASE("a board that slipped twice between dwells shows its g-sensitivity, not two jumps") {
   const double g_dps = 0.1, first_s = 17'345, second_s = 40'120;
-  Session session = rig::simulate_session(quiet_rig(), up_down(), 14);
+  Session session = rig::simulate_session(quiet_rig(), short_up_down(), 14);
   const auto tilt = [&](double t_s) { return t_s < first_s ? 0.0 : t_s < second_s ? 0.2 : -0.12; };
   for (MonitorRow& row : session.monitor) row.gyro_dps += g_dps * std::sin(tilt(row.t_s));
   for (SessionSample& sample : session.samples) {
@@ -110,7 +97,7 @@ TEST_CASE("the answer does not depend on who shares out the work") {
   };
   rig::RigModel model = quiet_rig();
   model.effects.push_back({"thermal_hysteresis", "play", {{"h", 0.02}, {"w", 2.5}}});
-  const Session session = rig::simulate_session(model, up_down(), 15);
+  const Session session = rig::simulate_session(model, short_up_down(), 15);
   const auto alone = diagnose(session, {}, {});
   const auto shared = diagnose(session, {}, {.run_all = backwards});
   REQUIRE(alone.has_value());

@@ -4,15 +4,14 @@
 
 #include "compensation/discrepancy/diagnosis.h"
 #include "compensation/rig/simulate_session.h"
+#include "tests/compensation/quiet_rig.h"
 
 using namespace gyrocal;
 
 namespace {
 
 rig::RigModel rig_with_hysteresis() {
-  rig::RigModel model;
-  model.baseline.noise_dps = 0.1;
-  model.baseline.lsb_per_dps = 20;
+  rig::RigModel model = quiet_rig();
   model.baseline.board_sensor_step_c = 0.125;
   model.effects.push_back({"thermal_hysteresis", "play", {{"h", 0.02}, {"w", 2.5}}});
   return model;

@@ -4,17 +4,11 @@
 #include <catch2/catch.hpp>
 
 #include "compensation/experiment/plan_additions.h"
+#include "tests/compensation/quiet_rig.h"
 
 using namespace gyrocal;
 
 namespace {
-
-rig::RigModel quiet() {
-  rig::RigModel model;
-  model.baseline.noise_dps = 0.1;
-  model.baseline.lsb_per_dps = 20;
-  return model;
-}
 
 rig::SessionPlan one_way() {
   rig::SessionPlan plan;
@@ -33,11 +27,11 @@ const PlanPair& pair_of(const PlanPower& power, const std::string& a, const std:
 }  // namespace
 
 TEST_CASE("one way up, hysteresis is the rate of temperature in disguise", "[experiment]") {
-  const PlanPower up = plan_power(one_way(), quiet(), Axis::z).value();
+  const PlanPower up = plan_power(one_way(), quiet_rig(), Axis::z).value();
   CHECK(up.dwells == 9);
   rig::SessionPlan both_ways = one_way();
   both_ways.sweep = rig::Sweep::up_down;
-  const PlanPower up_down = plan_power(both_ways, quiet(), Axis::z).value();
+  const PlanPower up_down = plan_power(both_ways, quiet_rig(), Axis::z).value();
   CHECK(up_down.dwells == 17);
   CHECK(up_down.duration_h > 1.7 * up.duration_h);
 
@@ -49,7 +43,7 @@ TEST_CASE("one way up, hysteresis is the rate of temperature in disguise", "[exp
 
 TEST_CASE("shares lie between 0 and 1, the most alike first, and louder noise asks for more",
           "[experiment]") {
-  const PlanPower soft = plan_power(one_way(), quiet(), Axis::z).value();
+  const PlanPower soft = plan_power(one_way(), quiet_rig(), Axis::z).value();
   CHECK(soft.limits.size() + soft.not_observable.size() == 22);
   double before = 0;
   for (const PlanPair& pair : soft.pairs) {
@@ -58,7 +52,7 @@ TEST_CASE("shares lie between 0 and 1, the most alike first, and louder noise as
     CHECK(pair.apart_from > 0);
     before = pair.share_left;
   }
-  rig::RigModel loud = quiet();
+  rig::RigModel loud = quiet_rig();
   loud.baseline.noise_dps = 1;
   const PlanPower noisy = plan_power(one_way(), loud, Axis::z).value();
   const PlanPair& quiet_pair = pair_of(soft, "aging_drift", "bias_jump");
@@ -68,8 +62,8 @@ TEST_CASE("shares lie between 0 and 1, the most alike first, and louder noise as
 }
 
 TEST_CASE("additions are judged by what they separate for their hours", "[experiment]") {
-  const PlanPower power = plan_power(one_way(), quiet(), Axis::z).value();
-  const auto additions = plan_additions(one_way(), quiet(), Axis::z, power).value();
+  const PlanPower power = plan_power(one_way(), quiet_rig(), Axis::z).value();
+  const auto additions = plan_additions(one_way(), quiet_rig(), Axis::z, power).value();
   REQUIRE(additions.size() == 4);
   CHECK_FALSE(additions.front().separated.empty());
   for (const PlanAddition& addition : additions) {
@@ -84,8 +78,8 @@ TEST_CASE("additions are judged by what they separate for their hours", "[experi
 TEST_CASE("a plan that cannot be judged is refused", "[experiment][bad input]") {
   rig::SessionPlan none = one_way();
   none.setpoints_c.clear();
-  CHECK(plan_power(none, quiet(), Axis::z).error().code == Errc::too_few_points);
-  rig::RigModel unknown = quiet();
+  CHECK(plan_power(none, quiet_rig(), Axis::z).error().code == Errc::too_few_points);
+  rig::RigModel unknown = quiet_rig();
   unknown.effects.push_back({.effect = "gremlins"});
   CHECK(plan_power(one_way(), unknown, Axis::z).error().code == Errc::unknown_name);
 }

@@ -3,15 +3,14 @@
 #include <catch2/catch.hpp>
 
 #include "compensation/rig/simulate_session.h"
+#include "tests/compensation/quiet_rig.h"
 
 using namespace gyrocal;
 
 namespace {
 
 Session hysteresis_session() {
-  rig::RigModel model;
-  model.baseline.noise_dps = 0.1;
-  model.baseline.lsb_per_dps = 20;
+  rig::RigModel model = quiet_rig();
   model.effects.push_back(
       {.effect = "thermal_hysteresis", .law = "play", .parameters = {{"h", 0.05}, {"w", 3}}});
   rig::SessionPlan plan;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "compensation/rig/rig_model.h"
+#include "compensation/rig/session_plan.h"
+
+namespace gyrocal {
+
+/// The default rig with a tenth of a deg/s of noise and fine counts: small effects show.
+inline rig::RigModel quiet_rig() {
+  rig::RigModel model;
+  model.baseline.noise_dps = 0.1;
+  model.baseline.lsb_per_dps = 20;
+  return model;
+}
+
+/// The paper's setpoints there and back, with short dwells.
+inline rig::SessionPlan short_up_down() {
+  rig::SessionPlan plan;
+  plan.sweep = rig::Sweep::up_down;
+  plan.samples_per_dwell = 1000;
+  return plan;
+}
+
+}  // namespace gyrocal
