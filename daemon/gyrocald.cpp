@@ -4,12 +4,16 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <filesystem>
+#include <memory>
 
+#include "config/daemon_settings.h"
 #include "daemon/cli/outcome.h"
 #include "daemon/runner/progress.h"
 #include "daemon/runner/run_request.h"
 #include "daemon/runner/service_notifier.h"
 #include "daemon/runner/stop_signals.h"
+#include "daemon/status/status_page.h"
 #include "gyrocal_version.h"
 
 namespace {
@@ -27,13 +31,48 @@ int exit_code(const runner::Outcome& outcome) {
   return cli::exit_safe_state;
 }
 
-int run(runner::RunRequest request) {
+/// Named, or beside the campaign file, or the defaults.
+Result<DaemonSettings> settings_of(const std::string& named, const std::string& campaign_path) {
+  if (!named.empty()) return read_daemon_settings(named);
+  const auto beside = std::filesystem::path(campaign_path).parent_path() / daemon_settings_name;
+  std::error_code none;
+  if (!std::filesystem::exists(beside, none)) return DaemonSettings{};
+  return read_daemon_settings(beside.string());
+}
+
+std::unique_ptr<status::StatusPage> page_of(const StatusSettings& settings, status::Facts facts) {
+  if (!settings.on) return nullptr;
+  auto page = status::StatusPage::start(settings, std::move(facts));
+  if (!page) {
+    fmt::print(stderr, "gyrocald: warning: no status page: {}\n", to_text(page.error()));
+    return nullptr;
+  }
+  fmt::print(stderr, "gyrocald: status page at http://{}:{}/\n", settings.address, settings.port);
+  return std::move(*page);
+}
+
+int run(runner::RunRequest request, const DaemonSettings& settings) {
+  const auto config = read_campaign(request.campaign_path);
+  if (!config) return cli::report(config.error());
   const runner::StopSignals signals;
   runner::Progress log(false);
   runner::ServiceNotifier notifier(fresh_reading);
+  const auto facts =
+      status::facts_of(*config, request.campaign_path, request.database.value_or(config->database),
+                       request.software_version);
+  const auto page = page_of(settings.status, facts);
   runner::RunHooks hooks;
-  hooks.log = [&](const EventInsert& event) { log.show(event); };
-  hooks.progress = [&](const runner::Snapshot& now) { notifier.show(now); };
+  hooks.log = [&](const EventInsert& event) {
+    log.show(event);
+    if (page) page->mailbox().put(event);
+  };
+  hooks.progress = [&](const runner::Snapshot& now) {
+    notifier.show(now);
+    if (page) page->mailbox().put(now);
+  };
+  hooks.begun = [&](CampaignId campaign, Duration) {
+    if (page) page->begun(campaign);
+  };
   hooks.stop_asked = [&, told = false]() mutable {
     const bool asked = runner::StopSignals::asked();
     if (asked && !told) notifier.stopping(stopping_takes_up_to);
@@ -55,8 +94,12 @@ int main(int argc, char** argv) {
   CLI::App app{"gyrocald: runs one calibration campaign, and goes on with it after a crash"};
   runner::RunRequest request;
   std::string database;
+  std::string settings_path;
   app.add_option("campaign", request.campaign_path, "campaign file (TOML)")->required();
   app.add_option("--db", database, "database; default: the campaign file's");
+  app.add_option("--settings", settings_path,
+                 fmt::format("status page and messages; default: {} beside the campaign file",
+                             daemon_settings_name));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -66,5 +109,7 @@ int main(int argc, char** argv) {
   request.resume = true;
   request.unattended = true;
   request.software_version = GYROCAL_VERSION;
-  return run(std::move(request));
+  const auto settings = settings_of(settings_path, request.campaign_path);
+  if (!settings) return cli::report(settings.error());
+  return run(std::move(request), *settings);
 }

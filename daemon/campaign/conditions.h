@@ -41,6 +41,10 @@ class Conditions {
   /// What has become true of `state` by t; the first of it, if anything.
   [[nodiscard]] std::optional<Event> due(const State& state, Duration t) const;
   [[nodiscard]] Soak soak(std::size_t board) const;
+  /// Of the board's temperature over its window, for who watches; nothing until that is full.
+  [[nodiscard]] std::optional<double> slope_k_per_h(std::size_t board) const {
+    return boards_[board].stability.slope_k_per_h();
+  }
   [[nodiscard]] std::optional<Celsius> latest_air() const { return air_; }
 
  private:

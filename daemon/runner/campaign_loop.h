@@ -47,6 +47,7 @@ class CampaignLoop {
     campaign::SensorFreeze freeze{};
     bool frozen = false;  ///< its temperature is read in breaks, not in the stream
     double break_c = missing;
+    std::optional<SlowInterval> latest{};  ///< the newest with a frame in it
   };
 
   [[nodiscard]] Duration now() const { return devices_.clock.now() - begin_.origin; }
@@ -83,6 +84,7 @@ class CampaignLoop {
   [[nodiscard]] std::optional<campaign::Event> dwell_event() const;
   [[nodiscard]] std::optional<campaign::Event> presence_event() const;
   [[nodiscard]] Snapshot snapshot() const;
+  [[nodiscard]] BoardSnapshot snapshot_of(std::size_t board) const;
 
   const CampaignConfig& config_;
   campaign::Plan plan_;

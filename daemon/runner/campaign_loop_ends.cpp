@@ -12,6 +12,12 @@ constexpr Kelvin warm_enough{2};
 /// A chamber that cannot be told for so long needs a person at its panel.
 constexpr Duration safety_tried_for = std::chrono::hours{12};
 
+std::string why(const campaign::State& state) {
+  if (const auto* safe = std::get_if<campaign::Safe>(&state)) return safe->why;
+  if (const auto* holding = std::get_if<campaign::Holding>(&state)) return holding->why;
+  return {};
+}
+
 }  // namespace
 
 Result<void> CampaignLoop::turn_safing() {
@@ -82,6 +88,8 @@ Snapshot CampaignLoop::snapshot() const {
   s.t = now();
   s.state = campaign::name(state_);
   s.text = campaign::describe(plan_, state_);
+  s.why = why(state_);
+  s.since = entered_;
   s.setpoints = plan_.setpoints.size();
   const campaign::Visit* visit = campaign::visit_of(state_);
   s.setpoints_done = visit ? visit->point : s.setpoints;
@@ -89,11 +97,29 @@ Snapshot CampaignLoop::snapshot() const {
   s.setpoint = chamber_.latest().setpoint;
   if (collector_.running()) s.dwell_share = collector_.progress();
   s.left = time_left(plan_, state_, chamber_.latest().actual, s.t - entered_);
+  const auto waits = static_cast<int>(s.setpoints - s.setpoints_done);
+  s.left_max = s.left + waits * seconds(plan_.stability.air_window_s);
   s.chamber_age = chamber_.age(s.t);
   s.boards = static_cast<int>(boards_.size());
   s.boards_present = static_cast<int>(std::count_if(
       boards_.begin(), boards_.end(), [](const BoardSide& b) { return b.port.present(); }));
+  for (std::size_t i = 0; i < boards_.size(); ++i) s.each_board.push_back(snapshot_of(i));
   return s;
+}
+
+BoardSnapshot CampaignLoop::snapshot_of(std::size_t board) const {
+  const BoardSide& side = boards_[board];
+  BoardSnapshot b;
+  b.name = plan_.boards[board];
+  b.present = side.port.present();
+  b.given_up = side.presence == campaign::Presence::given_up;
+  if (!b.present) b.trouble = side.port.trouble();
+  b.frames = side.port.tally().frames;
+  b.frames_missing = side.port.tally().missing;
+  b.restarts = side.port.tally().restarts;
+  b.latest = side.latest;
+  b.slope_k_per_h = conditions_.slope_k_per_h(board);
+  return b;
 }
 
 }  // namespace gyrocal::runner

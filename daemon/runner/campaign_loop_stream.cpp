@@ -43,6 +43,7 @@ Result<void> CampaignLoop::take_intervals(std::size_t board) {
                                     Celsius{interval.board_c()});
       side.freeze.board(Celsius{interval.board_c()});
     }
+    if (interval.frames > 0) side.latest = interval;
     side.waiting.push_back(interval);
   }
   return note_freeze(board);

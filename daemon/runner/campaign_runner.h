@@ -1,31 +1,51 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "config/campaign.h"
 #include "daemon/campaign/campaign.h"
 #include "daemon/runner/journal.h"
 #include "daemon/runner/preflight.h"
+#include "daemon/runner/slow_stream.h"
 #include "schema/store.h"
 
 namespace gyrocal::runner {
 
-/// Where a campaign stands, for a progress line, a status command, a watchdog.
+/// One board of a running campaign.
+struct BoardSnapshot {
+  std::string name;
+  bool present = false;
+  bool given_up = false;     ///< away for too long: the campaign goes on without it
+  std::string trouble;       ///< why it is away
+  std::uint64_t frames = 0;  ///< since this run began, as are the next two
+  std::uint64_t frames_missing = 0;
+  std::uint64_t restarts = 0;
+  std::optional<SlowInterval> latest;   ///< of its slow stream, as sent; absent: none yet
+  std::optional<double> slope_k_per_h;  ///< of its temperature; absent: its window is not full
+};
+
+/// Where a campaign stands, for a progress line, a status command, a watchdog, a page.
 struct Snapshot {
   Duration t{};       ///< campaign time
   std::string state;  ///< name of the state
   std::string text;   ///< describe(state)
+  std::string why;    ///< it holds, or has tripped
+  Duration since{};   ///< when the state began
   std::size_t setpoints = 0;
   std::size_t setpoints_done = 0;
   std::optional<Celsius> air;
   std::optional<Celsius> setpoint;    ///< what the chamber says it controls to
   std::optional<double> dwell_share;  ///< of the samples of the running dwell
   Duration left{};                    ///< estimate to the end
+  Duration left_max{};                ///< the same with the waits a chamber's cycling may cost
   Duration chamber_age{};             ///< since the last believed reading
   int boards_present = 0;
   int boards = 0;
+  std::vector<BoardSnapshot> each_board;  ///< in the order of the campaign file
 };
 
 /// What the runner is told and whom it tells; everything may be left empty.

@@ -1,0 +1,146 @@
+#include "daemon/status/concern.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <optional>
+
+#include "daemon/runner/progress.h"
+#include "daemon/status/view.h"
+
+namespace gyrocal::status {
+namespace {
+
+using runner::clock_text;
+
+/// The loop turns fifty times a second; a board tried again takes it a few seconds.
+constexpr double silent_s_max = 30;
+/// A warning or an error counts for so long.
+constexpr Duration event_counts_for = std::chrono::minutes{15};
+
+std::optional<Concern> silence(const View& view) {
+  if (!view.now && view.silent_s <= silent_s_max) {
+    return Concern{"info", "The campaign has not begun: chamber and boards are being looked for.",
+                   ""};
+  }
+  if (view.silent_s <= silent_s_max) return std::nullopt;
+  if (!view.now) {
+    return Concern{"warning", "Chamber and boards are still being looked for.",
+                   "Is everything switched on and plugged in? gyrocal check " +
+                       view.facts.campaign_path + " says what answers."};
+  }
+  if (campaign_has_ended(view.now->state)) return std::nullopt;
+  return Concern{
+      "error",
+      fmt::format("The daemon has not reported for {:.0f} s of the machine's time.", view.silent_s),
+      "Its watchdog restarts it; if this stays, look at its journal and at the chamber's "
+      "panel."};
+}
+
+std::optional<Concern> ending(const View& view) {
+  const runner::Snapshot& now = *view.now;
+  if (now.state == "safe") {
+    return Concern{"error", "The campaign has tripped: " + now.why + ".",
+                   "Look after the chamber and remove the cause; then 'gyrocal run " +
+                       view.facts.campaign_path +
+                       " --resume' goes on with the first unfinished setpoint."};
+  }
+  if (now.state == "aborted") {
+    return Concern{"warning", "An operator has ended the campaign.", ""};
+  }
+  if (now.state == "finished") {
+    return Concern{"info", "The campaign has finished.",
+                   fmt::format("gyrocal report --db {} -o report.html", view.facts.database)};
+  }
+  return std::nullopt;
+}
+
+std::optional<Concern> chamber_trouble(const View& view) {
+  const runner::Snapshot& now = *view.now;
+  const bool old = to_seconds(now.chamber_age) > view.facts.chamber_stale_s / 2;
+  if (old) {
+    return Concern{"warning",
+                   fmt::format("The chamber has not answered for {}; after {:.0f} s the campaign "
+                               "trips.",
+                               clock_text(now.chamber_age), view.facts.chamber_stale_s),
+                   "Is it switched on, in network mode, its cable plugged in?"};
+  }
+  return std::nullopt;
+}
+
+std::optional<Concern> board_trouble(const View& view) {
+  for (const auto& board : view.now->each_board) {
+    if (board.present) continue;
+    const std::string goes_on =
+        board.given_up ? " The campaign goes on without it until it returns." : "";
+    return Concern{board.given_up ? "error" : "warning",
+                   fmt::format("Board {} is away: {}.{}", board.name, board.trouble, goes_on),
+                   "Check its cable and power; it is tried again by itself."};
+  }
+  return std::nullopt;
+}
+
+std::optional<Concern> waiting(const View& view) {
+  const runner::Snapshot& now = *view.now;
+  const std::string lasts = clock_text(now.t - now.since);
+  if (now.state == "holding") {
+    return Concern{"warning", fmt::format("The campaign waits since {}: {}.", lasts, now.why),
+                   "It goes on by itself when the device is back."};
+  }
+  if (now.state == "paused") {
+    return Concern{"warning", fmt::format("An operator has paused the campaign, {} ago.", lasts),
+                   "gyrocal resume " + view.facts.campaign};
+  }
+  const bool long_soak =
+      now.state == "soaking" && to_seconds(now.t - now.since) > 0.8 * view.facts.soak_s_max;
+  if (long_soak) {
+    return Concern{"warning",
+                   fmt::format("This soak has lasted {}; after {} the setpoint has failed.", lasts,
+                               clock_text(seconds(view.facts.soak_s_max))),
+                   "Is the chamber closed? Its cycling may be wider than air_peak_to_peak_k."};
+  }
+  return std::nullopt;
+}
+
+std::optional<Concern> frames_lost(const View& view) {
+  for (const BoardView& board : boards_of(view.facts, *view.now)) {
+    if (board.lost_share <= view.facts.frames_lost_share_max) continue;
+    return Concern{
+        "warning",
+        fmt::format("Board {} has lost {:.1f} % of its frames; a dwell is rejected "
+                    "beyond {:.1f} %.",
+                    board.name, 100 * board.lost_share, 100 * view.facts.frames_lost_share_max),
+        "Try another cable or USB port, without a hub."};
+  }
+  return std::nullopt;
+}
+
+std::optional<Concern> told_lately(const View& view) {
+  for (auto event = view.events.rbegin(); event != view.events.rend(); ++event) {
+    if (view.now->t - Duration{event->t_ns} > event_counts_for) break;
+    if (event->severity == "info") continue;
+    return Concern{
+        "warning",
+        fmt::format("{} ago: {}.", clock_text(view.now->t - Duration{event->t_ns}), event->text),
+        "Nothing to do unless it happens again."};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool campaign_has_ended(const std::string& state) {
+  return state == "finished" || state == "aborted" || state == "safe";
+}
+
+Concern concern_of(const View& view) {
+  if (auto found = silence(view)) return *found;
+  constexpr std::array worst_first{ending,  chamber_trouble, board_trouble,
+                                   waiting, frames_lost,     told_lately};
+  for (const auto& look : worst_first) {
+    if (auto found = look(view)) return *found;
+  }
+  return {"info", "Nothing is wrong.", ""};
+}
+
+}  // namespace gyrocal::status
