@@ -9,12 +9,16 @@ namespace {
 /// More than a ramp of 2 K/min gains on a board that lags by four minutes.
 constexpr Kelvin air_moved{12};
 constexpr Kelvin half_a_step{0.25};
+/// More than air moves from one reading to the next: the thermometer jumped, not the air.
+constexpr Kelvin jump{5};
 
 }  // namespace
 
 void SensorFreeze::air(Celsius reading) {
-  air_low_ = air_low_ ? std::min(*air_low_, reading) : reading;
-  air_high_ = air_high_ ? std::max(*air_high_, reading) : reading;
+  const bool jumped = air_ && std::abs((reading - *air_).value) > jump.value;
+  air_ = reading;
+  air_low_ = air_low_ && !jumped ? std::min(*air_low_, reading) : reading;
+  air_high_ = air_high_ && !jumped ? std::max(*air_high_, reading) : reading;
 }
 
 void SensorFreeze::board(Celsius reading) {

@@ -17,6 +17,7 @@ class SensorFreeze {
 
  private:
   std::optional<Celsius> board_;
+  std::optional<Celsius> air_;      ///< as last read
   std::optional<Celsius> air_low_;  ///< range of the air since the board's reading last changed
   std::optional<Celsius> air_high_;
 };

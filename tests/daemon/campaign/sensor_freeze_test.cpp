@@ -22,6 +22,15 @@ SCENARIO("a board that follows the air is not frozen, one that stands while it m
   CHECK_FALSE(stands.frozen());
 }
 
+SCENARIO("a thermometer that jumps and comes back has not moved the air") {
+  SensorFreeze sensor;
+  sensor.board(Celsius{20});
+  for (const double air : {20.0, 20.1, 35.0, 35.1, 20.2, 20.3}) {
+    sensor.air(Celsius{air});
+    CHECK_FALSE(sensor.frozen());
+  }
+}
+
 SCENARIO("a board never heard of is not frozen") {
   SensorFreeze sensor;
   sensor.air(Celsius{0});
