@@ -27,14 +27,13 @@ inline ChamberProfile yinhe() {
 class ServedRig {
  public:
   /// @param faults  of the rig, at its own time: seconds of campaign time since it is served.
-  explicit ServedRig(const TemporaryFolder& folder, std::vector<RigFault> faults = {})
-      : clock_(rig_scale),
-        rig_(rig::RigModel{}, 5, 2, yinhe(), 1),
-        stop_(::eventfd(0, EFD_CLOEXEC)) {
+  explicit ServedRig(const TemporaryFolder& folder, std::vector<RigFault> faults = {},
+                     double scale = rig_scale)
+      : clock_(scale), rig_(rig::RigModel{}, 5, 2, yinhe(), 1), stop_(::eventfd(0, EFD_CLOEXEC)) {
     rig_.set_faults(std::move(faults));
     RigEndpoints endpoints;
     endpoints.links = {folder / "board0", folder / "board1"};
-    auto server = RigServer::open(rig_, clock_, endpoints, rig_scale);
+    auto server = RigServer::open(rig_, clock_, endpoints, scale);
     REQUIRE(server);
     port_ = server->port();
     thread_ = std::thread(

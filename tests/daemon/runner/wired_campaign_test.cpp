@@ -23,7 +23,64 @@ RunHooks quiet() {
   return hooks;
 }
 
+/// One setpoint, where the rig stands already: a campaign that takes seconds at real speed.
+std::string real_speed_campaign(const TemporaryFolder& folder, int port) {
+  return fmt::format(R"([campaign]
+name = "real-{}"
+simulated = true
+[plan]
+setpoints_c = [23]
+samples_per_setpoint = 400
+sample_rate_hz = 100
+safe_setpoint_c = 23
+[chamber]
+profile = "yinhe"
+host = "127.0.0.1"
+port = {}
+[[board]]
+name = "left"
+device = "{}"
+[stability]
+air_window_s = 10
+board_window_s = 10
+soak_s_min = 10
+)",
+                     ::getpid(), port, folder / "board0");
+}
+
 }  // namespace
+
+SCENARIO("at real speed, a dwell shorter than a chamber poll still has its samples and its air") {
+  const TemporaryFolder folder;
+  const ServedRig rig(folder, {}, 1.0);
+  RunRequest request;
+  request.campaign_path = folder.write("real.toml", real_speed_campaign(folder, rig.port()));
+  std::map<std::string, int> events;
+  RunHooks hooks;
+  hooks.log = [&](const EventInsert& event) { ++events[event.kind]; };
+  std::vector<DwellRow> dwells;
+  std::size_t samples = 0;
+  const auto outcome =
+      run_requested(request, hooks, [&](const Store& store, CampaignId campaign, auto&&) {
+        dwells = *store.dwells(campaign);
+        for (const auto& [id, board] : *store.boards(campaign)) {
+          for (const auto& dwell : *store.accepted_dwells(campaign, id)) {
+            samples += store.samples(dwell.id)->size();
+          }
+        }
+      });
+  if (!outcome) FAIL(to_text(outcome.error()));
+  CHECK(std::holds_alternative<campaign::Finished>(outcome->state));
+  REQUIRE(dwells.size() == 1);
+  CHECK(samples == 400);
+  CHECK(dwells[0].frames_missing == 0);
+  CHECK(dwells[0].chamber_mean_c == Approx(23).margin(0.5));
+  CHECK(dwells[0].t_end_ns - dwells[0].t_start_ns == Approx(4e9).margin(0.2e9));
+  for (const char* trouble : {"board_lost", "chamber_lost", "trip", "clock_step"}) {
+    CAPTURE(trouble);
+    CHECK(events[trouble] == 0);
+  }
+}
 
 SCENARIO("three setpoints, two boards, through libmodbus and libserialport to stored models") {
   const TemporaryFolder folder;
