@@ -15,7 +15,8 @@ struct ReplayRequest {
   /// The database the recorded campaign wrote; absent: the one inside a capsule, else the one
   /// beside the recording.
   std::optional<std::string> against{};
-  /// A campaign file to decide by instead of the recorded one, with the same boards.
+  /// A campaign file to decide by instead of the recorded one, with the same boards. The recorded
+  /// chamber profile stays: it is what the recorded transactions mean.
   std::optional<std::string> campaign{};
 };
 

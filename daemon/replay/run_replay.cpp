@@ -5,6 +5,7 @@
 #include <charconv>
 #include <memory>
 
+#include "config/text_file.h"
 #include "daemon/replay/recorded_span.h"
 #include "daemon/replay/row_check.h"
 #include "daemon/runner/after_trip.h"
@@ -224,8 +225,9 @@ Result<RunMaterial> material_of(const std::string& recording, const RecordedRun&
   if (!begun) return tl::unexpected(begun.error());
   const auto profile = parse_chamber_profile(begun->chamber_profile, "recorded chamber profile");
   if (!profile) return tl::unexpected(profile.error());
-  auto config = campaign ? read_campaign(*campaign)
-                         : parse_campaign(run.campaign_text, "recorded campaign", *profile);
+  auto text = campaign ? read_text_file(*campaign) : run.campaign_text;
+  if (!text) return tl::unexpected(text.error());
+  auto config = parse_campaign(*text, campaign.value_or("recorded campaign"), *profile);
   if (!config) return tl::unexpected(config.error());
   RunMaterial material;
   material.recording = recording;

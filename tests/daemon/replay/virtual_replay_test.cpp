@@ -95,6 +95,14 @@ SCENARIO("a looser stability limit decides earlier, and the first such decision 
         std::string::npos);
 }
 
+SCENARIO("a campaign to decide by needs no chamber profile: the recording has its own") {
+  const Recorded recorded;
+  std::string elsewhere = small_campaign;
+  elsewhere.replace(elsewhere.find("yinhe"), 5, "a profile of another laboratory");
+  const auto campaign = recorded.folder.write("elsewhere.toml", elsewhere);
+  CHECK(replayed({recorded.recording, std::nullopt, campaign}).passed());
+}
+
 SCENARIO("a stricter stability limit, written into the recording, decides later") {
   const Recorded recorded;
   sql(recorded.recording,
@@ -127,6 +135,18 @@ SCENARIO("a sample, a model or a journal line changed afterwards is found") {
     REQUIRE(report.difference);
     CHECK(report.difference->what == "model");
     CHECK(report.difference->sentence.find("axis y, method gm11") != std::string::npos);
+  }
+  SECTION("prediction band") {
+    sql(database, "UPDATE model_point SET band_dps = band_dps * 1.00001");
+    const auto report = replayed({recorded.recording});
+    REQUIRE(report.difference);
+    CHECK(report.difference->expected.find("band_dps") == 0);
+  }
+  SECTION("what an earlier schema did not keep is not held against the recording") {
+    sql(database,
+        "UPDATE model SET block_rmse_dps = NULL, effective_parameters = NULL, warnings = '';"
+        "UPDATE model_point SET band_dps = NULL");
+    CHECK(replayed({recorded.recording}).passed());
   }
   SECTION("journal") {
     sql(database, "DELETE FROM event WHERE id = 4");
