@@ -48,7 +48,7 @@ ReplayDevices::ReplayDevices(RecordingReader reader, const RecordedRun& run,
   const auto names = runner::link_names(config);
   for (std::size_t i = 0; i < config.boards.size(); ++i) {
     board_links_.emplace_back(tape_, stream_of(run, names[i + 1]));
-    boards_.emplace_back(board_links_.back(), clock_, config.boards[i].name, timing);
+    boards_.emplace_back(board_links_.back(), clock_, timing);
   }
 }
 

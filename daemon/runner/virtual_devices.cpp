@@ -26,8 +26,7 @@ class VirtualDevices final : public OwnedDevices {
                  config.chamber.unit) {
     for (std::size_t i = 0; i < config.boards.size(); ++i) {
       board_links_.emplace_back(rig_.board(i), clock_);
-      boards_.emplace_back(layers_.over(board_links_.back()), layers_.clock(),
-                           config.boards[i].name);
+      boards_.emplace_back(layers_.over(board_links_.back()), layers_.clock());
     }
   }
 

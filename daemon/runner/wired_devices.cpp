@@ -22,7 +22,7 @@ class WiredDevices final : public OwnedDevices {
     const BoardTiming timing = BoardTiming::for_time_scale(config.time_scale);
     for (const auto& board : config.boards) {
       board_links_.emplace_back(board.device);
-      boards_.emplace_back(layers_.over(board_links_.back()), layers_.clock(), board.name, timing);
+      boards_.emplace_back(layers_.over(board_links_.back()), layers_.clock(), timing);
     }
   }
 

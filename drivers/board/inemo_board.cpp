@@ -49,16 +49,12 @@ BoardTiming BoardTiming::for_time_scale(double scale) {
   return {scaled(real.reply_timeout), scaled(real.partial_frame_max), scaled(real.reply_quiet)};
 }
 
-InemoBoard::InemoBoard(ByteLink& link, Clock& clock, std::string name, BoardTiming timing)
-    : link_(link),
-      clock_(clock),
-      name_(std::move(name)),
-      timing_(timing),
-      parser_(parser_timing(timing)) {}
+InemoBoard::InemoBoard(ByteLink& link, Clock& clock, BoardTiming timing)
+    : link_(link), clock_(clock), timing_(timing), parser_(parser_timing(timing)) {}
 
 Result<BoardIdentity> InemoBoard::open(const BoardMode& wanted) {
   const auto mode = output_mode(wanted);
-  if (!mode) return error(mode.error().code, mode.error().what, mode.error().advice);
+  if (!mode) return tl::unexpected(mode.error());
   parser_.reset();
   pending_.clear();
   if (!link_up_) {
@@ -80,14 +76,14 @@ Result<BoardIdentity> InemoBoard::identify() {
   auto hardware = read_text(Id::hardware_version);
   if (!hardware) return tl::unexpected(hardware.error());
   if (!firmware->starts_with("iNEMO") || !hardware->starts_with("iNEMO V2")) {
-    return error(Errc::mismatch,
-                 fmt::format("is \"{}\" with \"{}\", expected an iNEMO V2", *hardware, *firmware),
-                 "is this the right port?");
+    return fail(Errc::mismatch,
+                fmt::format("is \"{}\" with \"{}\", expected an iNEMO V2", *hardware, *firmware),
+                "is this the right port?");
   }
   const auto mcu_id = command(Id::mcu_id);
   if (!mcu_id) return tl::unexpected(mcu_id.error());
   if (mcu_id->size() != mcu_id_bytes) {
-    return error(Errc::mismatch, fmt::format("MCU id of {} bytes, expected 12", mcu_id->size()));
+    return fail(Errc::mismatch, fmt::format("MCU id of {} bytes, expected 12", mcu_id->size()));
   }
   const Bytes in_order(mcu_id->rbegin(), mcu_id->rend());  // the firmware sends it reversed
   return BoardIdentity{fmt::format("{:02x}", fmt::join(in_order, "")), std::move(*firmware),
@@ -98,10 +94,10 @@ Result<std::string> InemoBoard::read_text(Id id) {
   const auto payload = command(id);
   if (!payload) return tl::unexpected(payload.error());
   if (payload->empty() || !is_printable(*payload)) {
-    return error(Errc::mismatch,
-                 fmt::format("{} answered {:02x}, expected text", inemo::name_of(id),
-                             fmt::join(*payload, " ")),
-                 "is this an iNEMO V2?");
+    return fail(Errc::mismatch,
+                fmt::format("{} answered {:02x}, expected text", inemo::name_of(id),
+                            fmt::join(*payload, " ")),
+                "is this an iNEMO V2?");
   }
   return std::string(payload->begin(), payload->end());
 }
@@ -114,10 +110,10 @@ Result<void> InemoBoard::set_mode(const inemo::OutputMode& mode) {
   const auto got = command(Id::get_output_mode);
   if (!got) return tl::unexpected(got.error());
   if (!std::equal(got->begin(), got->end(), bytes.begin(), bytes.end())) {
-    return error(Errc::mismatch,
-                 fmt::format("set output mode {:02x}, read back {:02x}", fmt::join(bytes, " "),
-                             fmt::join(*got, " ")),
-                 "does its firmware differ from 2.2?");
+    return fail(Errc::mismatch,
+                fmt::format("set output mode {:02x}, read back {:02x}", fmt::join(bytes, " "),
+                            fmt::join(*got, " ")),
+                "does its firmware differ from 2.2?");
   }
   mode_ = mode;
   parser_.expect(mode);
@@ -161,21 +157,21 @@ Result<Bytes> InemoBoard::command(Id id, std::span<const std::uint8_t> payload, 
   for (int i = 0; i < tries; ++i) {
     replies_.clear();
     if (!link_up_) {
-      return error(Errc::link_lost, fmt::format("{}: the link is closed", inemo::name_of(id)),
-                   "open the board again");
+      return fail(Errc::link_lost, fmt::format("{}: the link is closed", inemo::name_of(id)),
+                  "open the board again");
     }
     if (const auto written = link_.write(frame); !written) return link_failed(written.error());
     auto reply = await_reply(id);
     if (!reply) return tl::unexpected(reply.error());
     if (!*reply) continue;
     if ((*reply)->ack) return std::move((*reply)->payload);
-    return error(Errc::refused, fmt::format("{} was refused: {}", inemo::name_of(id),
-                                            inemo::name_of_nack((*reply)->payload.front())));
+    return fail(Errc::refused, fmt::format("{} was refused: {}", inemo::name_of(id),
+                                           inemo::name_of_nack((*reply)->payload.front())));
   }
-  return error(Errc::timeout,
-               fmt::format("{}: no reply, {} x {} s", inemo::name_of(id), tries,
-                           to_seconds(timing_.reply_timeout)),
-               "is this an iNEMO V2, and does nothing else use its port?");
+  return fail(Errc::timeout,
+              fmt::format("{}: no reply, {} x {} s", inemo::name_of(id), tries,
+                          to_seconds(timing_.reply_timeout)),
+              "is this an iNEMO V2, and does nothing else use its port?");
 }
 
 Result<std::optional<inemo::ReplyEvent>> InemoBoard::await_reply(Id id) {
@@ -194,7 +190,7 @@ Result<std::optional<inemo::ReplyEvent>> InemoBoard::await_reply(Id id) {
 }
 
 Result<void> InemoBoard::receive() {
-  if (!link_up_) return error(Errc::link_lost, "the link is closed", "open the board again");
+  if (!link_up_) return fail(Errc::link_lost, "the link is closed", "open the board again");
   std::array<std::uint8_t, 4096> chunk;
   for (;;) {
     const auto count = link_.read(chunk);
@@ -246,14 +242,9 @@ void InemoBoard::stamp(std::size_t first) {
   }
 }
 
-tl::unexpected<Error> InemoBoard::error(Errc code, const std::string& what,
-                                        std::string advice) const {
-  return fail(code, fmt::format("{}: {}", name_, what), std::move(advice));
-}
-
 tl::unexpected<Error> InemoBoard::link_failed(const Error& failure) {
   link_up_ = false;
-  return error(failure.code, failure.what, failure.advice);
+  return tl::unexpected(failure);
 }
 
 }  // namespace gyrocal

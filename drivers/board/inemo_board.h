@@ -32,9 +32,9 @@ struct BoardTiming {
 /// without a lock.
 class InemoBoard final : public Board {
  public:
-  /// @param name  names the board in messages: "board left on /dev/serial/by-id/usb-ST..."
-  /// `link` and `clock` must outlive this. The link is opened by open().
-  InemoBoard(ByteLink& link, Clock& clock, std::string name, BoardTiming timing = {});
+  /// `link` and `clock` must outlive this. The link is opened by open(). Errors say what went wrong
+  /// on the link; which board it is, the caller knows.
+  InemoBoard(ByteLink& link, Clock& clock, BoardTiming timing = {});
 
   [[nodiscard]] Result<BoardIdentity> open(const BoardMode& mode) override;
   [[nodiscard]] Result<void> start() override;
@@ -54,13 +54,10 @@ class InemoBoard final : public Board {
   [[nodiscard]] Result<void> receive();
   void sort_events();
   void stamp(std::size_t first);
-  [[nodiscard]] tl::unexpected<Error> error(Errc code, const std::string& what,
-                                            std::string advice = {}) const;
   [[nodiscard]] tl::unexpected<Error> link_failed(const Error& error);
 
   ByteLink& link_;
   Clock& clock_;
-  std::string name_;
   BoardTiming timing_;
   bool link_up_ = false;
   inemo::OutputMode mode_;

@@ -81,9 +81,9 @@ class Bench {
     ModbusChamber chamber(chamber_link, clock_, config_.chamber.profile, config_.chamber.unit);
     InProcessBoardLink left_wire(rig_.board(0), clock_);
     FaultyByteLink left_link(left_wire, board_fault);
-    InemoBoard left(left_link, clock_, "left");
+    InemoBoard left(left_link, clock_);
     InProcessBoardLink right_link(rig_.board(1), clock_);
-    InemoBoard right(right_link, clock_, "right");
+    InemoBoard right(right_link, clock_);
     RunOptions options = virtual_options(config_);
     options.software_version = "test";
     options.resume = true;

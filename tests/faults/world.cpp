@@ -70,7 +70,7 @@ Drivers::Drivers(const CampaignConfig& config, SimulatedRig& rig, World& world, 
       chamber_(link_, host, config.chamber.profile, config.chamber.unit) {
   for (std::size_t i = 0; i < config.boards.size(); ++i) {
     board_links_.emplace_back(rig.board(i), world, host);
-    boards_.emplace_back(board_links_.back(), host, config.boards[i].name);
+    boards_.emplace_back(board_links_.back(), host);
   }
 }
 

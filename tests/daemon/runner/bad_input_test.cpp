@@ -134,7 +134,7 @@ SCENARIO("a board accepts Start and never streams") {
   SimulatedRig rig(rig::RigModel{}, 5, 1, yinhe(), 1);
   InProcessBoardLink wire(rig.board(0), clock);
   SilencedLink silenced(wire);
-  InemoBoard board(silenced, clock, "left");
+  InemoBoard board(silenced, clock);
   BoardConfig config;
   config.name = "left";
   config.device = "/dev/serial/by-id/left";

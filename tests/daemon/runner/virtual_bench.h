@@ -74,7 +74,7 @@ class VirtualBench {
         store(*Store::open(folder_ / "bench.db")) {
     for (std::size_t i = 0; i < config.boards.size(); ++i) {
       board_wires_.emplace_back(rig.board(i), clock);
-      boards_.emplace_back(board_wires_.back(), clock, config.boards[i].name);
+      boards_.emplace_back(board_wires_.back(), clock);
     }
   }
 

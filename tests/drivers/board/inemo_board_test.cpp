@@ -23,7 +23,7 @@ struct Bench {
   VirtualClock clock;
   SimulatedRig rig{rig::RigModel{}, 7, 1, any_profile(), 1};
   InProcessBoardLink link{rig.board(0), clock};
-  InemoBoard board{link, clock, "board left"};
+  InemoBoard board{link, clock};
 
   void pass(double s) { clock.sleep_until(clock.now() + seconds(s)); }
 };
@@ -61,7 +61,7 @@ Bytes text_reply(inemo::Id id, const std::string& text) {
 Error error_of_open(std::deque<Bytes> replies) {
   VirtualClock clock;
   ScriptedLink link(std::move(replies));
-  InemoBoard board(link, clock, "board left");
+  InemoBoard board(link, clock);
   const auto opened = board.open({});
   REQUIRE_FALSE(opened);
   return opened.error();
@@ -139,7 +139,7 @@ TEST_CASE("a board left streaming by a host that died is taken over", "[board]")
   REQUIRE(bench.board.open({400, true, false}));
   REQUIRE(bench.board.start());
   bench.pass(3.0);
-  InemoBoard next(bench.link, bench.clock, "board left");
+  InemoBoard next(bench.link, bench.clock);
   REQUIRE(next.open({}));
   REQUIRE(next.start());
   bench.pass(1.0);
@@ -173,11 +173,11 @@ TEST_CASE("an unplugged board is a lost link, plugged in again it streams again"
 TEST_CASE("a rate the firmware does not know is refused before anything is sent", "[board]") {
   VirtualClock clock;
   ScriptedLink link({});
-  InemoBoard board(link, clock, "board left");
+  InemoBoard board(link, clock);
   const auto opened = board.open({60, false, true});
   REQUIRE_FALSE(opened);
   CHECK(opened.error().code == Errc::out_of_range);
-  CHECK(opened.error().what == "board left: sample rate 60 Hz");
+  CHECK(opened.error().what == "sample rate 60 Hz");
   CHECK(link.written.empty());
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("start-up sends one command a write, in the order the board needs", "[
   const Bytes mode = inemo::encode_ack(inemo::Id::get_output_mode, Bytes{0x29, 0x18, 0, 0});
   ScriptedLink link({connected, stopped, firmware, hardware, mcu_id, mode_set, mode,
                      inemo::encode_ack(inemo::Id::start)});
-  InemoBoard board(link, clock, "board left");
+  InemoBoard board(link, clock);
   const auto identity = board.open({});
   REQUIRE(identity);
   CHECK(identity->mcu_id == "0102030405060708090a0b0c");
@@ -204,11 +204,11 @@ TEST_CASE("start-up sends one command a write, in the order the board needs", "[
 TEST_CASE("a device that says nothing is asked three times", "[board]") {
   VirtualClock clock;
   ScriptedLink link({});
-  InemoBoard board(link, clock, "board left");
+  InemoBoard board(link, clock);
   const auto opened = board.open({});
   REQUIRE_FALSE(opened);
   CHECK(to_text(opened.error()) ==
-        "board left: Connect (00): no reply, 3 x 0.5 s; is this an iNEMO V2, and does nothing else "
+        "Connect (00): no reply, 3 x 0.5 s; is this an iNEMO V2, and does nothing else "
         "use its port?");
   CHECK(link.written.size() == 3);
   CHECK(clock.now() == Instant{seconds(1.5)});
@@ -219,7 +219,7 @@ TEST_CASE("what is no iNEMO V2 is a mismatch that says what it is", "[board]") {
       {connected, stopped, firmware, text_reply(inemo::Id::hardware_version, "iNEMO M1")});
   CHECK(m1.code == Errc::mismatch);
   CHECK(m1.what ==
-        "board left: is \"iNEMO M1\" with \"iNEMO Firmware_Version_2.2\", expected an iNEMO V2");
+        "is \"iNEMO M1\" with \"iNEMO Firmware_Version_2.2\", expected an iNEMO V2");
   const Error noise = error_of_open(
       {connected, stopped, inemo::encode_ack(inemo::Id::firmware_version, Bytes{0xFF, 0x00})});
   CHECK(noise.code == Errc::mismatch);
@@ -232,11 +232,11 @@ TEST_CASE("a mode that is not taken is a mismatch, a refusal names its reason", 
       error_of_open({connected, stopped, firmware, hardware, mcu_id, mode_set,
                      inemo::encode_ack(inemo::Id::get_output_mode, Bytes{0x29, 0x10, 0, 0})});
   CHECK(mode.code == Errc::mismatch);
-  CHECK(mode.what == "board left: set output mode 29 18 00 00, read back 29 10 00 00");
+  CHECK(mode.what == "set output mode 29 18 00 00, read back 29 10 00 00");
   const Error refused = error_of_open({connected, stopped, firmware, hardware, mcu_id,
                                        inemo::encode_nack(0x50, inemo::Nack::out_of_range)});
   CHECK(refused.code == Errc::refused);
-  CHECK(refused.what == "board left: Set output mode (50) was refused: 02 value out of range");
+  CHECK(refused.what == "Set output mode (50) was refused: 02 value out of range");
 }
 
 TEST_CASE("a lost reply to Start is healed by Stop and Start", "[board]") {
@@ -252,7 +252,7 @@ TEST_CASE("a lost reply to Start is healed by Stop and Start", "[board]") {
                      {},
                      stopped,
                      inemo::encode_ack(inemo::Id::start)});
-  InemoBoard board(link, clock, "board left");
+  InemoBoard board(link, clock);
   REQUIRE(board.open({}));
   CHECK(board.start());
   CHECK(link.written.back() == Bytes{0x20, 0x01, 0x52});
@@ -266,7 +266,7 @@ TEST_CASE("whichever call of the link fails, nothing hangs and a board reported 
     CAPTURE(n);
     Bench bench;
     FaultyByteLink faulty(bench.link, {n, Errc::link_lost});
-    InemoBoard board(faulty, bench.clock, "board left");
+    InemoBoard board(faulty, bench.clock);
     const auto opened = board.open({});
     if (opened && board.start() && bench.rig.board(0).streaming()) {
       CHECK(opened->mcu_id.size() == 24);

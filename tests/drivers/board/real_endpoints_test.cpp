@@ -74,7 +74,7 @@ TEST_CASE("a board on a port streams without loss, and again after it is opened 
   ServedRig rig;
   ScaledClock clock(time_scale);
   SerialLink link(rig.link);
-  InemoBoard board(link, clock, "board0", BoardTiming::for_time_scale(time_scale));
+  InemoBoard board(link, clock, BoardTiming::for_time_scale(time_scale));
   for (int i = 0; i < 2; ++i) {
     const auto identity = board.open({});
     INFO((identity ? "" : to_text(identity.error())));

@@ -54,7 +54,7 @@ Seen run(
     Clock& clock, ByteLink& board_link, RequestLink& chamber_link, double setpoint_c,
     const std::function<void(int turn)>& meanwhile = [](int) {}) {
   Seen seen;
-  InemoBoard board(board_link, clock, "board left");
+  InemoBoard board(board_link, clock);
   ModbusChamber chamber(chamber_link, clock, profile(), 1);
   const auto note = [&seen](const auto& result) {
     if (!result) seen.errors.push_back(result.error());

@@ -53,7 +53,7 @@ TEST_CASE("the drivers talk to the simulated devices in process", "[simulated][d
   ModbusChamber chamber(chamber_link, clock, yinhe_profile(), 1);
   drive(chamber);
   InProcessBoardLink board_link(rig.board(0), clock);
-  InemoBoard board(board_link, clock, "board0");
+  InemoBoard board(board_link, clock);
   const auto samples = first_samples(board, clock, 3000);
   CHECK(samples.at(0).temperature_raw == 23 * 256);
 }
@@ -67,7 +67,7 @@ TEST_CASE("the drivers talk to the simulated devices over TCP and a terminal",
   ModbusChamber chamber(chamber_link, clock, yinhe_profile(), 1);
   drive(chamber);
   SerialLink board_link(rig.link(0));
-  InemoBoard board(board_link, clock, "board0", BoardTiming::for_time_scale(time_scale));
+  InemoBoard board(board_link, clock, BoardTiming::for_time_scale(time_scale));
   first_samples(board, clock, 1000);
   first_samples(board, clock, 1000);  // taken over while it is connected and set
 }
