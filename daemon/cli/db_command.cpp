@@ -7,6 +7,8 @@
 #include "daemon/cli/cell_text.h"
 #include "daemon/cli/command.h"
 #include "daemon/cli/outcome.h"
+#include "daemon/cli/schema_text.h"
+#include "schema/catalogue.h"
 #include "schema/maintenance.h"
 #include "schema/store.h"
 #include "schema/table_reader.h"
@@ -108,6 +110,14 @@ int migrate(const DbOptions& options) {
   return exit_done;
 }
 
+int print_schema(const DbOptions& options) {
+  const auto present = catalogue();
+  if (!present) return report(present.error());
+  fmt::print("{}",
+             options.as_json ? schema_json(*present).dump() + "\n" : schema_markdown(*present));
+  return exit_done;
+}
+
 }  // namespace
 
 void add_db(CLI::App& root, Chosen& chosen) {
@@ -142,6 +152,12 @@ void add_db(CLI::App& root, Chosen& chosen) {
              "Example: gyrocal db migrate campaign.db\nBrings it to the present schema and keeps a "
              "copy.",
              migrate);
+  auto* schema = command->add_subcommand("schema",
+                                         "Example: gyrocal db schema > database.md\nEvery table, "
+                                         "view and column of the present schema "
+                                         "with its meaning, as Markdown.");
+  schema->add_flag("--json", options->as_json, "print JSON");
+  schema->callback([options, &chosen] { chosen = [options] { return print_schema(*options); }; });
 
   on_database(*command, false);
   command->add_flag("--json", options->as_json, "print JSON");
