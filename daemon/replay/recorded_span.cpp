@@ -24,7 +24,7 @@ Result<std::optional<RecordedSpan>> span_of(const std::string& recording, const 
   for (;;) {
     const auto event = reader->next();
     if (!event) return tl::unexpected(event.error());
-    if (!*event) return std::optional<RecordedSpan>{};
+    if (!*event) return std::nullopt;
     if (!is_begin(**event)) continue;
     const auto begun = begun_from({(*event)->received.begin(), (*event)->received.end()});
     if (!begun) return tl::unexpected(begun.error());
