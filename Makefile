@@ -10,7 +10,7 @@ SHELL := /bin/bash
 PACKAGES := g++ cmake ninja-build pkg-config sqlite3 catch2 libserialport-dev libmodbus-dev \
   libeigen3-dev libspdlog-dev libfmt-dev libsqlite3-dev libtomlplusplus-dev libcli11-dev \
   nlohmann-json3-dev libexpected-dev libcpp-httplib-dev libsystemd-dev libzstd-dev libgcrypt20-dev \
-  gnuplot-nox libjs-dygraphs
+  gnuplot-nox libjs-dygraphs libmosquitto-dev mosquitto
 
 PREFIX ?= /usr/local
 JOBS ?= $(shell nproc)

@@ -9,6 +9,7 @@
 
 #include "config/daemon_settings.h"
 #include "daemon/cli/outcome.h"
+#include "daemon/notify/notifier.h"
 #include "daemon/runner/progress.h"
 #include "daemon/runner/run_request.h"
 #include "daemon/runner/service_notifier.h"
@@ -61,17 +62,20 @@ int run(runner::RunRequest request, const DaemonSettings& settings) {
       status::facts_of(*config, request.campaign_path, request.database.value_or(config->database),
                        request.software_version);
   const auto page = page_of(settings.status, facts);
+  const auto messages = notify::Notifier::start(settings, facts);
   runner::RunHooks hooks;
   hooks.log = [&](const EventInsert& event) {
     log.show(event);
     if (page) page->mailbox().put(event);
+    if (messages) messages->mailbox().put(event);
   };
   hooks.progress = [&](const runner::Snapshot& now) {
     notifier.show(now);
     if (page) page->mailbox().put(now);
+    if (messages) messages->mailbox().put(now);
   };
-  hooks.begun = [&](CampaignId campaign, Duration) {
-    if (page) page->begun(campaign);
+  hooks.begun = [&](CampaignId campaign, Duration t) {
+    if (page) page->begun(campaign, t);
   };
   hooks.stop_asked = [&, told = false]() mutable {
     const bool asked = runner::StopSignals::asked();

@@ -245,6 +245,9 @@ class Store {
   /// Every attempt, rejected ones included, in the order they were logged.
   [[nodiscard]] Result<std::vector<DwellRow>> dwells(CampaignId campaign) const;
   [[nodiscard]] Result<std::vector<EventInsert>> events(CampaignId campaign) const;  ///< as told
+  /// One board's slow stream before t, in order of time.
+  [[nodiscard]] Result<std::vector<MonitorInsert>> monitor_before(BoardId board,
+                                                                  std::int64_t t_ns) const;
   /// Raw samples of a dwell, in order of seq.
   [[nodiscard]] Result<std::vector<BoardSample>> samples(DwellId dwell) const;
   /// Zero drifts by the campaign's latest analysis, in the order of the setpoints; none if it has

@@ -130,6 +130,28 @@ Result<std::vector<EventInsert>> Store::events(CampaignId campaign) const {
   return events;
 }
 
+Result<std::vector<MonitorInsert>> Store::monitor_before(BoardId board, std::int64_t t_ns) const {
+  std::vector<MonitorInsert> rows;
+  const auto read = for_each_row(
+      impl_->database,
+      "SELECT t_ns, setpoint_c, chamber_c, board_c, gyro_x_mean_lsb, gyro_y_mean_lsb, "
+      "gyro_z_mean_lsb, frames, frames_missing FROM monitor WHERE board_id = ? AND t_ns < ? "
+      "ORDER BY t_ns",
+      [&](const Statement& row) {
+        rows.push_back({board,
+                        row.integer(0),
+                        row.real(1),
+                        row.real(2),
+                        row.real(3),
+                        {row.real(4), row.real(5), row.real(6)},
+                        row.integer(7),
+                        row.integer(8)});
+      },
+      static_cast<std::int64_t>(board), t_ns);
+  if (!read) return tl::unexpected(read.error());
+  return rows;
+}
+
 Result<CampaignRow> Store::campaign(CampaignId campaign) const {
   std::optional<CampaignRow> found;
   const auto read = for_each_row(

@@ -26,11 +26,12 @@ std::string number(const std::optional<Celsius>& value) {
   return value ? number(value->value, 1, "°C") : unknown;
 }
 
-/// "24 Nov 18:42 UTC"
-std::string moment(std::int64_t utc_ns) {
+/// "18:42 UTC", and its day if that is not the view's own.
+std::string moment(const View& view, std::int64_t utc_ns) {
   const std::string iso = utc_text(utc_ns);
-  return fmt::format("<time datetime=\"{0}\">{1}&nbsp;{2}&nbsp;UTC</time>", iso, iso.substr(5, 5),
-                     iso.substr(11, 5));
+  const bool today = iso.substr(0, 10) == utc_text(view.utc_ns).substr(0, 10);
+  return fmt::format("<time datetime=\"{0}\">{1}{2}&nbsp;UTC</time>", iso,
+                     today ? "" : iso.substr(0, 10) + "&nbsp;", iso.substr(11, 5));
 }
 
 std::string concern_section(const Concern& concern) {
@@ -65,9 +66,9 @@ std::string eta_tile(const View& view) {
     return tile("Campaign time", clock_text(now.t), "ended");
   }
   const std::string note = fmt::format(
-      "ends {}{}", moment(utc_of(view, now.t + now.left)),
+      "ends {}{}", moment(view, utc_of(view, now.t + now.left)),
       now.left_max > now.left
-          ? fmt::format(", at the latest {}", moment(utc_of(view, now.t + now.left_max)))
+          ? fmt::format(", at the latest {}", moment(view, utc_of(view, now.t + now.left_max)))
           : "");
   return tile("Time left", clock_text(now.left), note);
 }
@@ -85,7 +86,7 @@ std::string progress_section(const View& view) {
   }
   const runner::Snapshot& now = *view.now;
   const std::string since = fmt::format("for {}, since {}", clock_text(now.t - now.since),
-                                        moment(utc_of(view, now.since)));
+                                        moment(view, utc_of(view, now.since)));
   const std::string chamber_note = fmt::format("set {}, read {:.0f}&nbsp;s ago",
                                                number(now.setpoint), to_seconds(now.chamber_age));
   return fmt::format(
@@ -96,26 +97,34 @@ std::string progress_section(const View& view) {
       setpoint_tile(now), tile("Chamber", number(now.air), chamber_note), eta_tile(view));
 }
 
+/// The label is for narrow screens, where a row becomes a list.
+std::string cell(const std::string& label, const std::string& value) {
+  return fmt::format("<td class=\"n\" data-label=\"{}\">{}</td>", label, value);
+}
+
 std::string slope_cell(const BoardView& board) {
-  if (!board.slope_k_per_h) return fmt::format("<td class=\"n\">{}</td>", unknown);
+  if (!board.slope_k_per_h) return cell("Slope K/h", unknown);
   const bool steady = std::abs(*board.slope_k_per_h) <= board.slope_limit_k_per_h;
-  return fmt::format("<td class=\"n {}\">{:+.2f} <small>of ±{:.1f}</small></td>",
-                     steady ? "steady" : "moving", *board.slope_k_per_h, board.slope_limit_k_per_h);
+  return fmt::format(
+      "<td class=\"n {}\" data-label=\"Slope K/h\">{:+.2f} <small>of ±{:.1f}</small></td>",
+      steady ? "steady" : "moving", *board.slope_k_per_h, board.slope_limit_k_per_h);
 }
 
 std::string board_row(const BoardView& board) {
   const char* state = board.present ? "streams" : board.given_up ? "given up" : "away";
-  std::string row = fmt::format("<tr><th scope=\"row\">{}</th><td class=\"{}\">{}</td>",
-                                escaped(board.name), board.present ? "steady" : "moving", state);
-  for (const double rate : board.rate_dps) {
-    row += std::isfinite(rate) ? fmt::format("<td class=\"n\">{:+.3f}</td>", rate)
-                               : fmt::format("<td class=\"n\">{}</td>", unknown);
+  std::string row =
+      fmt::format("<tr><th scope=\"row\">{}</th><td class=\"{}\" data-label=\"Link\">{}</td>",
+                  escaped(board.name), board.present ? "steady" : "moving", state);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double rate = board.rate_dps[axis];
+    row += cell(fmt::format("{} °/s", "XYZ"[axis]),
+                std::isfinite(rate) ? fmt::format("{:+.3f}", rate) : unknown);
   }
-  row += fmt::format("<td class=\"n\">{}</td>", number(board.board_c, 2, "°C"));
-  row += slope_cell(board);
-  row += fmt::format("<td class=\"n\">{}</td>", number(board.frames_per_s, 1, "/s"));
-  return row + fmt::format("<td class=\"n\">{} <small>{:.3f}&nbsp;%</small></td></tr>\n",
-                           board.frames_missing, 100 * board.lost_share);
+  row += cell("Temperature", number(board.board_c, 2, "°C")) + slope_cell(board);
+  row += cell("Frames", number(board.frames_per_s, 1, "/s"));
+  row += cell("Lost", fmt::format("{} <small>{:.3f}&nbsp;%</small>", board.frames_missing,
+                                  100 * board.lost_share));
+  return row + "</tr>\n";
 }
 
 std::string boards_section(const View& view) {
@@ -178,9 +187,9 @@ std::string page_html(const View& view) {
 <div id="numbers">
 {3}</div>
 <div id="plots" hidden>
-<h2>Temperature <small>°C</small></h2><div class="plot" id="plot-temperature"></div>
-<h2>Z rate <small>°/s</small></h2><div class="plot" id="plot-rate"></div>
-<h2>Board temperature slope <small>K/h</small></h2><div class="plot" id="plot-slope"></div>
+<h2>Temperature <small>°C</small><span class="legend" id="legend-temperature"></span></h2><div class="plot" id="plot-temperature"></div>
+<h2>Z rate <small>°/s</small><span class="legend" id="legend-rate"></span></h2><div class="plot" id="plot-rate"></div>
+<h2>Board temperature slope <small>K/h</small><span class="legend" id="legend-slope"></span></h2><div class="plot" id="plot-slope"></div>
 <p class="note">Hours since the campaign's start. Drag to zoom, double-click to see all.</p>
 </div>
 <noscript><p class="note">Plots and live numbers need JavaScript; load the page again for newer
@@ -190,7 +199,7 @@ numbers.</p></noscript>
 </body>
 </html>
 )",
-      name, simulated, moment(view.utc_ns), numbers_html(view),
+      name, simulated, moment(view, view.utc_ns), numbers_html(view),
       escaped(view.facts.software_version), escaped(view.facts.database));
 }
 

@@ -1,14 +1,17 @@
 #include "daemon/status/status_page.h"
 
-#include <atomic>
+#include <fmt/core.h>
+
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "daemon/status/blocked_signals.h"
 #include "daemon/status/feed.h"
 #include "daemon/status/http_server.h"
+#include "daemon/status/past.h"
 #include "drivers/clocks.h"
 
 namespace gyrocal::status {
@@ -22,7 +25,9 @@ double machine_s(const Clock& clock) { return to_seconds(clock.now().time_since_
 class Serving final : public StatusPage {
  public:
   explicit Serving(Facts facts)
-      : live_(std::move(facts)), feed_(live_.at(clock_.utc_ns(), machine_s(clock_))) {}
+      : facts_(facts),
+        live_(std::move(facts)),
+        feed_(live_.at(clock_.utc_ns(), machine_s(clock_))) {}
   ~Serving() override {
     {
       const std::lock_guard lock(mutex_);
@@ -45,23 +50,25 @@ class Serving final : public StatusPage {
   }
 
   Mailbox& mailbox() override { return mailbox_; }
-  void begun(CampaignId campaign) override {
+  void begun(CampaignId campaign, Duration t) override {
     const std::lock_guard lock(mutex_);
-    begun_ = campaign;
+    begun_ = {campaign, t};
   }
 
  private:
   void work();
   void gather();
+  void look_back(CampaignId campaign, Duration t);
 
   ScaledClock clock_;
   Mailbox mailbox_;
+  Facts facts_;
   LiveStatus live_;
   Feed feed_;
   std::mutex mutex_;
   std::condition_variable wake_;
   bool stopping_ = false;
-  std::optional<CampaignId> begun_;
+  std::optional<std::pair<CampaignId, Duration>> begun_;
   std::thread thread_;
   std::unique_ptr<HttpServer> server_;  // goes first: its threads read the feed
 };
@@ -72,10 +79,18 @@ void Serving::gather() {
   if (content.snapshot) live_.report(*content.snapshot, machine_s(clock_));
 }
 
+void Serving::look_back(CampaignId campaign, Duration t) {
+  auto past = read_past(facts_, campaign, t);
+  if (past) return live_.remember(std::move(past->events), past->history);
+  fmt::print(stderr, "gyrocald: warning: the page begins empty: {}\n", to_text(past.error()));
+}
+
 void Serving::work() {
   std::unique_lock lock(mutex_);
   for (int turn = 1; !stopping_; ++turn) {
+    const auto begun = std::exchange(begun_, std::nullopt);
     lock.unlock();
+    if (begun) look_back(begun->first, begun->second);
     gather();
     if (turn % gathered_per_view == 0) {
       feed_.publish(live_.at(clock_.utc_ns(), machine_s(clock_)));

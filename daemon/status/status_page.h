@@ -17,9 +17,9 @@ class StatusPage {
                                                                  Facts facts);
   virtual ~StatusPage() = default;
   [[nodiscard]] virtual Mailbox& mailbox() = 0;
-  /// The campaign has begun, or goes on, as `campaign` of the facts' database: what an earlier run
-  /// of the daemon left there is shown too.
-  virtual void begun(CampaignId campaign) = 0;
+  /// The campaign has begun, or goes on from t, as `campaign` of the facts' database: what an
+  /// earlier run of the daemon left there is shown too.
+  virtual void begun(CampaignId campaign, Duration t) = 0;
 };
 
 }  // namespace gyrocal::status

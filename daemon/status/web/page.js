@@ -59,6 +59,7 @@
       gridLineColor: colour('--rule'), axisLineColor: colour('--rule'), axisLabelWidth: 46,
       labelsSeparateLines: false, highlightCircleSize: 3, connectSeparatedPoints: false,
       digitsAfterDecimal: 3, animatedZooms: false,
+      labelsDiv: document.getElementById(id.replace('plot', 'legend')),
     }, options));
   }
 
@@ -73,6 +74,7 @@
     draw('plot-rate', names, column('rate_z_dps'), colours, {});
     const limit = history.slope_limit_k_per_h;
     draw('plot-slope', names, column('slope_k_per_h'), colours, {
+      includeZero: true,
       underlayCallback: (canvas, area, plot) => {
         const top = plot.toDomYCoord(limit);
         const bottom = plot.toDomYCoord(-limit);
