@@ -8,6 +8,7 @@
 #include "config/campaign.h"
 #include "daemon/cli/command.h"
 #include "daemon/cli/outcome.h"
+#include "daemon/cli/status_watch.h"
 #include "daemon/runner/control_socket.h"
 #include "daemon/runner/progress.h"
 
@@ -17,6 +18,7 @@ namespace {
 struct Options {
   std::string campaign;
   bool as_json = false;
+  bool watch = false;
 };
 
 std::vector<std::string> sockets_of_running_campaigns() {
@@ -67,6 +69,7 @@ Result<std::string> socket_meant(std::string campaign) {
 int tell(const std::string& command, const Options& options) {
   const auto path = socket_meant(options.campaign);
   if (!path) return report(path.error());
+  if (options.watch) return watch_campaign(*path, options.as_json);
   const auto line = runner::ask_campaign(*path, command);
   if (!line) return report(line.error());
   const auto answer = nlohmann::json::parse(*line, nullptr, false);
@@ -87,7 +90,8 @@ int tell(const std::string& command, const Options& options) {
   return answer.value("ok", true) ? exit_done : exit_failed;
 }
 
-void add_one(CLI::App& root, Chosen& chosen, const std::string& name, const std::string& help) {
+std::shared_ptr<Options> add_one(CLI::App& root, Chosen& chosen, const std::string& name,
+                                 const std::string& help) {
   auto* command =
       root.add_subcommand(name, fmt::format("Example: gyrocal {} weekend\n{}", name, help));
   const auto options = std::make_shared<Options>();
@@ -96,12 +100,18 @@ void add_one(CLI::App& root, Chosen& chosen, const std::string& name, const std:
   command->add_flag("--json", options->as_json, "print JSON");
   command->callback(
       [name, options, &chosen] { chosen = [name, options] { return tell(name, *options); }; });
+  return options;
 }
 
 }  // namespace
 
 void add_status(CLI::App& root, Chosen& chosen) {
-  add_one(root, chosen, "status", "Where a running campaign stands.");
+  const auto status = add_one(root, chosen, "status",
+                              "         gyrocal status --watch\nWhere a running campaign stands.");
+  root.get_subcommand("status")->add_flag(
+      "--watch", status->watch,
+      "until it ends: one line drawn again each second, or, where stdout is no terminal, a line\n"
+      "whenever something changes; NO_COLOR turns colours off");
   add_one(root, chosen, "pause",
           "Holds the chamber where it is; a running dwell is repeated later.");
   add_one(root, chosen, "resume", "Goes on after a pause.");
