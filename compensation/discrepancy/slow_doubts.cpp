@@ -10,19 +10,55 @@
 namespace gyrocal {
 namespace {
 
+SlowFit with_courses(const SlowModel& model, const std::vector<std::vector<double>>& courses) {
+  const Eigen::Index before = model.design().cols();
+  Eigen::MatrixXd design(model.y().size(), before + static_cast<Eigen::Index>(courses.size()));
+  design.leftCols(before) = model.design();
+  for (std::size_t k = 0; k < courses.size(); ++k) {
+    design.col(before + static_cast<Eigen::Index>(k)) = model.stream().bin(courses[k]);
+  }
+  return refit_noise(model.stream().grid(), model.y(), design, model.noise(), model.fit().shape);
+}
+
+bool nearly_as_good(const SlowModel& model, const SlowFit& fit, double cost_nats,
+                    const SlowOption& chosen) {
+  return fit.log_likelihood - model.fit().log_likelihood - cost_nats >
+         chosen.score - lead_to_name_nats;
+}
+
 bool rate_could_be_lag(const SlowModel& model, const SlowOption& rate) {
   constexpr double tau_s_max = 900;
   std::vector<double> course;
   for (const rig::Drivers& now : model.track().record) {
     course.push_back(-model.bias().slope(now.die_c) * now.die_rate_c_per_min / 60);
   }
-  Eigen::MatrixXd design(model.y().size(), model.design().cols() + 1);
-  design << model.design(), model.stream().bin(course);
-  const SlowFit fit =
-      refit_noise(model.stream().grid(), model.y(), design, model.noise(), model.fit().shape);
+  const SlowFit fit = with_courses(model, {course});
   const double tau_s = fit.coefficients.tail(1)(0);
-  return tau_s > 0 && tau_s < tau_s_max &&
-         fit.log_likelihood - model.fit().log_likelihood > rate.score - lead_to_name_nats;
+  return tau_s > 0 && tau_s < tau_s_max && nearly_as_good(model, fit, 0, rate);
+}
+
+bool lag_could_be_rate(const SlowModel& model, const SlowOption& lag) {
+  constexpr double delay_costs_nats = 1;
+  const auto& record = model.track().record;
+  std::vector<double> rate, change;
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    const rig::Drivers& before = record[i == 0 ? 0 : i - 1];
+    const rig::Drivers& after = record[std::min(i + 1, record.size() - 1)];
+    rate.push_back(record[i].die_rate_c_per_min);
+    change.push_back((after.die_rate_c_per_min - before.die_rate_c_per_min) /
+                     std::max(after.t_s - before.t_s, 1e-9));
+  }
+  const SlowFit fit = with_courses(model, {rate, change});
+  const double delay_s = -fit.coefficients.tail(1)(0) / fit.coefficients.tail(2)(0);
+  return std::abs(delay_s) < std::max(model.track().die_tau_s, lag.finding.amplitude) &&
+         nearly_as_good(model, fit, delay_costs_nats, lag);
+}
+
+void doubt(SlowOption& option, const char* rival) {
+  auto& rivals = option.finding.rivals;
+  if (std::count(rivals.begin(), rivals.end(), rival) > 0) return;
+  rivals.emplace_back(rival);
+  option.finding.lead_nats = std::min(option.finding.lead_nats, lead_to_name_nats);
 }
 
 }  // namespace
@@ -59,14 +95,10 @@ bool curve_beats_chance(const SmoothGain& curve, const SlowOption& option) {
          curve.nats > std::max(unknown_gate_nats, option.beyond_noise);
 }
 
-void doubt_rate(const SlowModel& model, SlowOption& option) {
-  auto& rivals = option.finding.rivals;
-  if (option.finding.effect != "temperature_rate" || !rate_could_be_lag(model, option) ||
-      std::count(rivals.begin(), rivals.end(), "thermal_lag") > 0) {
-    return;
-  }
-  rivals.push_back("thermal_lag");
-  option.finding.lead_nats = std::min(option.finding.lead_nats, lead_to_name_nats);
+void doubt_ramps(const SlowModel& model, SlowOption& option) {
+  const std::string& name = option.finding.effect;
+  if (name == "temperature_rate" && rate_could_be_lag(model, option)) doubt(option, "thermal_lag");
+  if (name == "thermal_lag" && lag_could_be_rate(model, option)) doubt(option, "temperature_rate");
 }
 
 }  // namespace gyrocal

@@ -26,7 +26,9 @@ inline constexpr double curve_over_name = 1.5;
 
 /// Where the bias is nearly straight, a rate effect and a lag of the die differ only in the minutes
 /// in which ramps begin and end, and those hang on lags and instants that are assumed. If the lag's
-/// first order, -tau b'(T) r, does as well as the rate itself, the lag joins its rivals.
-void doubt_rate(const SlowModel& model, SlowOption& option);
+/// first order, -tau b'(T) r, does as well as the rate itself, the lag joins its rivals; if a rate
+/// of a part that trails the die does as well as a lag, k r(t - d) with |d| no longer than the lag
+/// told or the die's own, the rate joins its rivals.
+void doubt_ramps(const SlowModel& model, SlowOption& option);
 
 }  // namespace gyrocal

@@ -174,7 +174,7 @@ class Story {
     const auto best = choose_next(options);
     if (best == options.end()) return false;
     judge(*best, options);
-    doubt_rate(model_, *best);
+    doubt_ramps(model_, *best);
     const SmoothGain curve = smooth_gains(model_).front();
     if (curve_beats_name(curve, *best)) return false;
     add(curve_beats_chance(curve, *best) ? curve_option(curve) : *best);
@@ -222,7 +222,7 @@ class Story {
         continue;
       }
       judge(*best, options);
-      doubt_rate(model_, *best);
+      doubt_ramps(model_, *best);
       changed = changed || best->finding.effect != chapters_[i].finding.effect;
       chapters_[i] = *best;
       ++i;

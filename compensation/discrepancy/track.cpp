@@ -199,6 +199,7 @@ Track make_track(const Session& session, std::span<const Segment> segments,
   Track track;
   const double t_first = session.monitor.front().t_s;
   const double span_s = session.monitor.back().t_s - t_first;
+  track.die_tau_s = baseline.die_tau_s;
   track.t0_s = t_first;
   track.step_s = std::max(grid_step_s, span_s / static_cast<double>(grid_points_max));
   const std::size_t n = static_cast<std::size_t>(span_s / track.step_s) + 2;

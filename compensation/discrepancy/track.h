@@ -31,6 +31,7 @@ struct Track {
   std::vector<rig::Drivers> record;
   double t0_s = 0;
   double step_s = 10;
+  double die_tau_s = 0;  ///< board -> die, as the rig model has it
   BoardSensorFit board_sensor;
   std::string lost;  ///< what could not be used and what that costs; empty if nothing
 };
