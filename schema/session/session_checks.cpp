@@ -9,15 +9,15 @@
 namespace gyrocal {
 namespace {
 
-/// How far the monitor's record reaches: half an interval either side, and as much again as a dwell
-/// lasts, since a gap may lie at the ends.
+/// How far the monitor's record reaches: a gap of half an hour may lie at its ends as anywhere.
 struct Record {
   double begin_s;
   double end_s;
 };
 
 Record record_of(const Session& session) {
-  const double slack_s = 2 * session.monitor_interval_s +
+  constexpr double gap_s_max = 1800;
+  const double slack_s = gap_s_max + 2 * session.monitor_interval_s +
                          std::max(session.samples_per_dwell, 1) / session.sample_rate_hz;
   return {session.monitor.front().t_s - slack_s, session.monitor.back().t_s + slack_s};
 }

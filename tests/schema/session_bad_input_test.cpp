@@ -156,6 +156,15 @@ TEST_CASE("a session that contradicts itself is said so", "[session][bad]") {
   CHECK_THAT(error_of(session).what, Catch::Contains("samples.csv say inf Hz"));
 }
 
+TEST_CASE("a dwell in a gap at the end of the monitor's record is read", "[session]") {
+  const TemporaryFolder folder;
+  auto session = small_session();
+  session.dwells[1].t_start_s += 220;
+  for (std::size_t i = 12; i < 24; ++i) session.samples[i].t_s += 220;
+  REQUIRE(write_session(folder / "s", session));
+  CHECK(read_session(folder / "s").has_value());
+}
+
 TEST_CASE("a session directory with a file missing names the file", "[session][bad]") {
   const auto nowhere = read_session("/nowhere");
   REQUIRE_FALSE(nowhere.has_value());
