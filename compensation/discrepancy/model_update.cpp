@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "compensation/discrepancy/slow_smoother.h"
 #include "compensation/discrepancy/verdict.h"
 #include "compensation/rig/effects/catalogue.h"
 #include "compensation/rig/empirical_term.h"
@@ -12,7 +13,9 @@
 namespace gyrocal {
 namespace {
 
-constexpr int knots = 48;
+constexpr int knots_usual = 48;
+constexpr double time_knot_s = 120;
+constexpr int knots_max = 720;
 
 bool drifts(const rig::Instance& instance, const rig::CubicBias& bias) {
   return instance.law->drift(instance.values, bias) != nullptr;
@@ -22,10 +25,14 @@ bool is_drift_noise(std::string_view effect) {
   return effect == "bias_instability" || effect == "rate_random_walk";
 }
 
-/// Means of a course between equally spaced values of its driver; nothing where it never was.
-rig::EmpiricalTerm as_term(const SlowFinding& finding, const Track& track, std::size_t axis) {
+rig::EmpiricalTerm term_for(std::size_t axis) {
   rig::EmpiricalTerm term;
   term.axes = {axis == 0, axis == 1, axis == 2};
+  return term;
+}
+
+/// A driver that the rig model does not know is told by its course over time.
+void set_driver(const SlowFinding& finding, rig::EmpiricalTerm& term) {
   if (finding.unknown_driver == "die temperature") {
     term.driver = rig::EmpiricalDriver::die;
   } else if (finding.unknown_driver == "heating rate") {
@@ -38,25 +45,85 @@ rig::EmpiricalTerm as_term(const SlowFinding& finding, const Track& track, std::
   } else {
     term.driver = rig::EmpiricalDriver::campaign_time;
   }
+}
+
+/// Means of a course between equally spaced values of its driver; nothing where it never was.
+/// @param course  at the track's instants [deg/s].
+rig::EmpiricalTerm as_term(const SlowFinding& finding, const std::vector<double>& course,
+                           const Track& track, std::size_t axis) {
+  rig::EmpiricalTerm term = term_for(axis);
+  set_driver(finding, term);
   double low = 1e300, high = -1e300;
   for (const rig::Drivers& now : track.record) {
     const double value = rig::driver_value(term, now);
     low = std::min(low, value), high = std::max(high, value);
   }
-  std::vector<double> sum(knots, 0.0), count(knots, 0.0);
+  const int knots =
+      term.driver == rig::EmpiricalDriver::campaign_time
+          ? std::clamp(static_cast<int>((high - low) / time_knot_s), knots_usual, knots_max)
+          : knots_usual;
+  std::vector<double> sum(static_cast<std::size_t>(knots), 0.0), count(sum.size(), 0.0);
   for (std::size_t i = 0; i < track.record.size(); ++i) {
     const double at =
         (rig::driver_value(term, track.record[i]) - low) / std::max(high - low, 1e-12);
-    const auto k = std::min<std::size_t>(knots - 1, static_cast<std::size_t>(at * knots));
-    for (const auto& course : finding.courses) sum[k] += course[i];
+    const auto k = std::min(sum.size() - 1, static_cast<std::size_t>(at * knots));
+    sum[k] += course[i];
     count[k] += 1;
   }
-  for (std::size_t k = 0; k < knots; ++k) {
+  for (std::size_t k = 0; k < sum.size(); ++k) {
     if (count[k] == 0) continue;
     term.at.push_back(low + (high - low) * (static_cast<double>(k) + 0.5) / knots);
     term.dps.push_back(sum[k] / count[k]);
   }
   return term;
+}
+
+/// What drift without a law was doing, by the rows that were fitted: what the noise of the model
+/// and its levels made of them, between kept-out parts on straight lines.
+rig::EmpiricalTerm followed_drift(const SlowModel& slow, std::size_t axis) {
+  const SlowFit& fit = slow.fit();
+  const SlowGrid& grid = slow.stream().grid();
+  const Eigen::VectorXd residual = slow.y() - slow.design() * fit.coefficients;
+  const DriftEstimate drift = estimate_drift(grid, fit.shape, fit.white_sd_dps, {}, residual);
+  const Eigen::VectorXd course = drift.mean_dps + slow.known_bins();
+  rig::EmpiricalTerm term = term_for(axis);
+  term.driver = rig::EmpiricalDriver::campaign_time;
+  const auto n = grid.t_s.size();
+  const std::size_t together = (n + knots_max - 1) / knots_max;
+  for (std::size_t first = 0; first < n; first += together) {
+    const std::size_t size = std::min(together, n - first);
+    double at = 0, dps = 0;
+    for (std::size_t k = first; k < first + size; ++k) {
+      at += grid.t_s[k] / static_cast<double>(size);
+      dps += course(static_cast<Eigen::Index>(k)) / static_cast<double>(size);
+    }
+    term.at.push_back(at);
+    term.dps.push_back(dps);
+  }
+  return term;
+}
+
+/// What has no name, as terms of the rig model.
+void add_unexplained(rig::RigModel& model, const SlowModel& slow,
+                     const std::vector<SlowFinding>& story, std::size_t axis) {
+  std::size_t courses = 0;
+  for (const SlowFinding& finding : story) courses += finding.courses.size();
+  Eigen::Index next = slow.fit().coefficients.size() -
+                      static_cast<Eigen::Index>(courses);  // the last of the shapes
+  bool followed = false;
+  for (const SlowFinding& finding : story) {
+    std::vector<double> sum(slow.track().record.size(), 0.0);
+    for (const auto& course : finding.courses) {
+      const double amplitude = slow.fit().coefficients(next++);
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += amplitude * course[i];
+    }
+    if (finding.effect != "unknown") continue;
+    if (!finding.courses.empty()) {
+      model.unexplained.push_back(as_term(finding, sum, slow.track(), axis));
+    } else if (!std::exchange(followed, true)) {
+      model.unexplained.push_back(followed_drift(slow, axis));
+    }
+  }
 }
 
 }  // namespace
@@ -162,12 +229,7 @@ rig::RigModel updated_model(const rig::RigModel& given, const SlowModel& slow,
   if (track.board_sensor.tau_fitted) model.baseline.board_tau_s = track.board_sensor.tau_s;
   for (const Finding& finding : to_findings(story)) add_effect(model, finding, axis);
   for (const Finding& finding : fast) add_effect(model, finding, axis);
-  for (const SlowFinding& finding : story) {
-    if (finding.effect == "unknown" && !finding.courses.empty()) {
-      SlowFinding scaled = finding;
-      model.unexplained.push_back(as_term(scaled, track, axis));
-    }
-  }
+  add_unexplained(model, slow, story, axis);
   return model;
 }
 

@@ -52,6 +52,7 @@ class SlowModel {
   [[nodiscard]] const std::vector<SlowTerm>& terms() const { return terms_; }
   [[nodiscard]] const NoiseFamily& noise() const { return noise_; }
   [[nodiscard]] const std::vector<std::vector<double>>& shapes() const { return shapes_; }
+  [[nodiscard]] const Eigen::VectorXd& known_bins() const { return known_bins_; }
   [[nodiscard]] const SlowFit& fit() const { return fit_; }            ///< with the present noise
   [[nodiscard]] const SlowFit& fit_free() const { return fit_free_; }  ///< with all noise
   [[nodiscard]] const rig::CubicBias& bias() const { return bias_; }
