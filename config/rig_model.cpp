@@ -142,10 +142,10 @@ Result<rig::EffectUse> read_effect(const JsonNode& node) {
 }
 
 Result<rig::EmpiricalTerm> read_unexplained(const JsonNode& node) {
-  if (auto ok = only_keys(node, {"driver", "period_s", "at", "dps", "axes"}); !ok) {
+  if (auto ok = only_keys(node, {"driver", "period_s", "at", "dps", "noise_factor", "axes"}); !ok) {
     return tl::unexpected(ok.error());
   }
-  for (const char* key : {"driver", "at", "dps"}) {
+  for (const char* key : {"driver", "at", node.has("noise_factor") ? "at" : "dps"}) {
     if (!node.has(key)) return node.wrong(Errc::bad_input, fmt::format("no \"{}\"", key));
   }
   rig::EmpiricalTerm term;
@@ -157,10 +157,17 @@ Result<rig::EmpiricalTerm> read_unexplained(const JsonNode& node) {
   term.driver = *driver;
   const auto at = numbers(node.at("at"), -1e12, 1e12);
   if (!at) return tl::unexpected(at.error());
-  const auto dps = numbers(node.at("dps"), -bias_dps_max, bias_dps_max);
-  if (!dps) return tl::unexpected(dps.error());
   term.at = *at;
-  term.dps = *dps;
+  if (node.has("dps")) {
+    const auto dps = numbers(node.at("dps"), -bias_dps_max, bias_dps_max);
+    if (!dps) return tl::unexpected(dps.error());
+    term.dps = *dps;
+  }
+  if (node.has("noise_factor")) {
+    const auto factor = numbers(node.at("noise_factor"), 0.0, 1e3);
+    if (!factor) return tl::unexpected(factor.error());
+    term.noise_factor = *factor;
+  }
   if (node.has("period_s")) {
     const auto period = number(node.at("period_s"), 0.0, 1e9);
     if (!period) return tl::unexpected(period.error());

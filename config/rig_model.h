@@ -16,6 +16,7 @@ namespace gyrocal {
 ///    "effects": [{"effect": "thermal_hysteresis", "law": "play", "parameters": {"h": 0.02},
 ///                 "axes": "xyz", "boards": [0]}],
 ///    "unexplained": [{"driver": "die_c", "at": [...], "dps": [...], "axes": "z"}]}
+/// An unexplained term of the noise has "noise_factor" in place of "dps".
 ///
 /// Whatever a baseline leaves out has the default of rig::Baseline; effects may leave out law (the
 /// usual one), parameters, axes (all) and boards (all). Names that are not known are refused.

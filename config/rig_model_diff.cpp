@@ -92,9 +92,11 @@ void compare_effects(const std::vector<rig::EffectUse>& from, const std::vector<
 }
 
 std::string term_text(const rig::EmpiricalTerm& term) {
-  const auto [low, high] = std::minmax_element(term.dps.begin(), term.dps.end());
-  return fmt::format("{} knots over {}, {}..{} dps", term.at.size(), rig::name_of(term.driver),
-                     *low, *high);
+  const bool drifts = term.noise_factor.empty();
+  const std::vector<double>& values = drifts ? term.dps : term.noise_factor;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return fmt::format("{} knots over {}, {}..{} {}", term.at.size(), rig::name_of(term.driver), *low,
+                     *high, drifts ? "dps" : "times the noise");
 }
 
 void compare_unexplained(const std::vector<rig::EmpiricalTerm>& from,

@@ -52,7 +52,11 @@ ordered_json unexplained_json(const rig::EmpiricalTerm& term) {
   ordered_json made{{"driver", rig::name_of(term.driver)}};
   if (term.driver == rig::EmpiricalDriver::phase) made["period_s"] = term.period_s;
   made["at"] = term.at;
-  made["dps"] = term.dps;
+  if (term.noise_factor.empty()) {
+    made["dps"] = term.dps;
+  } else {
+    made["noise_factor"] = term.noise_factor;
+  }
   made["axes"] = letters(term.axes);
   return made;
 }

@@ -50,7 +50,10 @@ void AxisEffects::advance(const Drivers& now, double dt_s) {
   drift_dps_ = 0.0;
   noise_factor_ = 1.0;
   for (const auto& response : responses_) drift_dps_ += response->at(now);
-  for (const EmpiricalTerm& term : unexplained_) drift_dps_ += rig::drift_dps(term, now);
+  for (const EmpiricalTerm& term : unexplained_) {
+    if (!is_line(term)) drift_dps_ += rig::drift_dps(term, now);
+    noise_factor_ *= rig::noise_factor(term, now);
+  }
   for (OuNoise& noise : noises_) drift_dps_ += noise.advance(dt_s);
   for (const Coded& coded : laws_) noise_factor_ *= coded.law->noise_factor(coded.values, now);
   for (const auto& change : changes_) change->now(now);
@@ -58,6 +61,14 @@ void AxisEffects::advance(const Drivers& now, double dt_s) {
 
 void AxisEffects::add(std::span<const double> t_s, double sigma_dps, std::span<double> rate_dps) {
   for (const auto& change : changes_) change->add(t_s, sigma_dps, rate_dps);
+  for (const EmpiricalTerm& term : unexplained_) {
+    if (!is_line(term)) continue;
+    Drivers now;
+    for (std::size_t i = 0; i < t_s.size(); ++i) {
+      now.t_s = t_s[i];
+      rate_dps[i] += rig::drift_dps(term, now);
+    }
+  }
 }
 
 void AxisEffects::convert(std::span<const double> exact_lsb, std::span<double> codes,

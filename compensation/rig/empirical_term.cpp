@@ -22,6 +22,15 @@ constexpr std::array<Named, 6> named_drivers{{
     {EmpiricalDriver::phase, "phase"},
 }};
 
+double on_curve(const std::vector<double>& at, const std::vector<double>& values, double x) {
+  const auto above = std::upper_bound(at.begin(), at.end(), x);
+  if (above == at.begin()) return values.front();
+  if (above == at.end()) return values.back();
+  const auto i = static_cast<std::size_t>(above - at.begin());
+  const double part = (x - at[i - 1]) / (at[i] - at[i - 1]);
+  return values[i - 1] + part * (values[i] - values[i - 1]);
+}
+
 }  // namespace
 
 std::string_view name_of(EmpiricalDriver driver) {
@@ -61,25 +70,38 @@ double driver_value(const EmpiricalTerm& term, const Drivers& now) {
 }
 
 double drift_dps(const EmpiricalTerm& term, const Drivers& now) {
-  const double x = driver_value(term, now);
-  const auto above = std::upper_bound(term.at.begin(), term.at.end(), x);
-  if (above == term.at.begin()) return term.dps.front();
-  if (above == term.at.end()) return term.dps.back();
-  const auto i = static_cast<std::size_t>(above - term.at.begin());
-  const double part = (x - term.at[i - 1]) / (term.at[i] - term.at[i - 1]);
-  return term.dps[i - 1] + part * (term.dps[i] - term.dps[i - 1]);
+  return term.dps.empty() ? 0.0 : on_curve(term.at, term.dps, driver_value(term, now));
+}
+
+double noise_factor(const EmpiricalTerm& term, const Drivers& now) {
+  return term.noise_factor.empty() ? 1.0
+                                   : on_curve(term.at, term.noise_factor, driver_value(term, now));
+}
+
+bool is_line(const EmpiricalTerm& term) {
+  constexpr double period_s_max = 20;  // a bin of the slow stream
+  return term.driver == EmpiricalDriver::phase && term.period_s < period_s_max;
 }
 
 Result<void> check(const EmpiricalTerm& term) {
   const auto wrong = [](const char* what) {
     return fail(Errc::bad_input, fmt::format("unexplained term: {}", what),
-                "\"at\" ascending and \"dps\" of the same length, two knots or more");
+                "\"at\" ascending and \"dps\" or \"noise_factor\" of the same length, two knots "
+                "or more");
   };
   if (term.at.size() < 2) return wrong("fewer than two knots");
-  if (term.at.size() != term.dps.size()) return wrong("at and dps differ in length");
+  if (term.dps.empty() == term.noise_factor.empty()) {
+    return wrong("either dps or noise_factor is needed");
+  }
+  const std::vector<double>& values = term.dps.empty() ? term.noise_factor : term.dps;
+  if (term.at.size() != values.size()) {
+    return wrong(term.dps.empty() ? "at and noise_factor differ in length"
+                                  : "at and dps differ in length");
+  }
   for (std::size_t i = 0; i < term.at.size(); ++i) {
-    if (!std::isfinite(term.at[i]) || !std::isfinite(term.dps[i])) return wrong("not a number");
+    if (!std::isfinite(term.at[i]) || !std::isfinite(values[i])) return wrong("not a number");
     if (i > 0 && term.at[i] <= term.at[i - 1]) return wrong("knots do not ascend");
+    if (term.dps.empty() && values[i] < 0) return wrong("a noise_factor is negative");
   }
   if (term.driver == EmpiricalDriver::phase && !(term.period_s > 0.0)) {
     return wrong("a phase needs period_s > 0");

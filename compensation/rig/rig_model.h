@@ -59,15 +59,16 @@ struct EffectUse {
 /// What an empirical term may hang on.
 enum class EmpiricalDriver { campaign_time, time_on, die, die_rate, chamber_minus_board, phase };
 
-/// A drift that was seen but has no name: a curve over one driver, straight between its knots. A
-/// diagnosis adds it so that the gap shrinks honestly; no physics is claimed
-/// (compensation/rig/empirical_term.h).
+/// A drift, a line or a change of the noise that was seen but has no name: a curve over one driver,
+/// straight between its knots. A diagnosis adds it so that the gap shrinks honestly; no physics is
+/// claimed (compensation/rig/empirical_term.h).
 struct EmpiricalTerm {
   EmpiricalDriver driver = EmpiricalDriver::die;
   double period_s = 0.0;    ///< of driver phase; else unused
   std::vector<double> at;   ///< knots, ascending, in the driver's unit
   std::vector<double> dps;  ///< drift there
   std::array<bool, 3> axes{true, true, true};
+  std::vector<double> noise_factor{};  ///< instead of dps: times the white noise there
   bool operator==(const EmpiricalTerm&) const = default;
 };
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compensation/rig/effects/catalogue.h"
+#include "compensation/rig/empirical_term.h"
 #include "config/rig_model.h"
 #include "config/rig_model_diff.h"
 #include "daemon/cli/outcome.h"
@@ -91,7 +92,8 @@ void print_model(const rig::RigModel& model) {
     fmt::print("effect {}, law {}: {}\n", use.effect, use.law, effect_values(use));
   }
   for (const auto& term : model.unexplained) {
-    fmt::print("unexplained: a curve of {} knots\n", term.at.size());
+    fmt::print("unexplained: a curve of {} knots over {}\n", term.at.size(),
+               rig::name_of(term.driver));
   }
 }
 

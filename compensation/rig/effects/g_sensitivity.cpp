@@ -61,9 +61,10 @@ class Measured final : public Law {
       : Law({"measured",
              "b += G . a, a from the accelerometer",
              true,
-             {sensitivity("g"),
-              {"y_share", "1", -10.0, 10.0, 0.0, Spacing::linear, "G_y / G_x"},
-              {"z_share", "1", -10.0, 10.0, 0.0, Spacing::linear, "G_z / G_x"}}}) {}
+             {// Along an axis that the board hardly moved the share may come out large.
+              {"g", "dps/g", -50.0, 50.0, 0.05, Spacing::linear, "drift per g along x"},
+              {"y_share", "1", -100.0, 100.0, 0.0, Spacing::linear, "G_y / G_x"},
+              {"z_share", "1", -100.0, 100.0, 0.0, Spacing::linear, "G_z / G_x"}}}) {}
   std::unique_ptr<Response> drift(Values p, const CubicBias&) const override {
     return pointwise([g = p[0], y = p[1], z = p[2]](const Drivers& now) {
       return g * (now.acc_g[0] + y * now.acc_g[1] + z * now.acc_g[2]);
