@@ -13,6 +13,7 @@
 #include "compensation/discrepancy/session_check.h"
 #include "compensation/discrepancy/slow_limits.h"
 #include "compensation/discrepancy/slow_story.h"
+#include "compensation/discrepancy/spectra.h"
 #include "compensation/discrepancy/verdict.h"
 #include "compensation/rig/effects/catalogue.h"
 
@@ -255,9 +256,15 @@ Result<Diagnosis> diagnose(const Session& session, const rig::RigModel& model,
   if (!c.track.lost.empty()) diagnosis.notes.push_back(c.track.lost);
   add_notes_on_columns(session, diagnosis.notes);
   std::vector<Finding> fast = fast_findings(c.fast, session.sample_rate_hz);
-  std::erase_if(fast, [&](const Finding& finding) { return already_modelled(finding, *given); });
+  std::erase_if(fast, [&](const Finding& finding) {
+    return already_modelled(finding, *given, model.unexplained);
+  });
   if (auto sensor = sensor_finding(c.track.board_sensor)) {
-    if (!already_modelled(*sensor, *given)) fast.push_back(std::move(*sensor));
+    // A board that warms itself reads warmer than the air: no fault of its sensor.
+    const bool warms = std::any_of(given->begin(), given->end(), [](const rig::Instance& known) {
+      return known.effect->name == "self_heating";
+    });
+    if (!warms && !already_modelled(*sensor, *given, {})) fast.push_back(std::move(*sensor));
   }
 
   const Session straight = unbent(session, c.law_after);
@@ -278,17 +285,26 @@ Result<Diagnosis> diagnose(const Session& session, const rig::RigModel& model,
   }
   add_acceleration(straight, stream, c.track);
   SlowModel slow(stream, c.track);
-  give_known_effects(*given, model, c.axis, slow);
+  const double known_nats = give_known_effects(*given, model, c.axis, slow);
   diagnosis.gate_nats = std::max(gate_nats, null_gate_nats(slow));
+  if (known_leftover_share * known_nats > diagnosis.gate_nats) {
+    diagnosis.notes.push_back(
+        fmt::format("the drift that the rig model holds explains {:.0f} nats here: no law being "
+                    "exact, a further "
+                    "drift is told from {:.0f} nats",
+                    known_nats, known_leftover_share * known_nats));
+  }
   const SlowModel before = slow;
   rig::RigModel fast_before = fast_part(model);
 
   const std::vector<SlowFinding> story = tell_slow_story(
       slow, session.sample_rate_hz, session.monitor_interval_s,
-      excluded_effects(c.fast, c.track, fast), diagnosis.gate_nats, options.run_all);
+      excluded_effects(c.fast, c.track, fast), diagnosis.gate_nats, known_nats, options.run_all);
   diagnosis.findings = to_findings(story);
   settle_between_channels(diagnosis.findings, fast, session.lsb_dps, c.law_after.bends());
-  diagnosis.model = updated_model(model, slow, story, fast, c.fast.codes, c.axis, c.track);
+  std::vector<Finding> settled = diagnosis.findings;
+  settled.insert(settled.end(), fast.begin(), fast.end());
+  diagnosis.model = updated_model(model, slow, story, settled, c.fast.codes, c.axis);
   const rig::RigModel fast_after = fast_part(diagnosis.model);
 
   const Simulation sim_before = simulation_of(c, before, fast_before, false);
@@ -304,6 +320,11 @@ Result<Diagnosis> diagnose(const Session& session, const rig::RigModel& model,
   }
   if (diagnosis.gap.held_out_dwells.empty()) {
     diagnosis.notes.push_back("fewer than four dwells: none is kept out, so there is no gap");
+  }
+  for (const SpectrumPoint& point : compare_spectra(
+           session, c.segments, c.track, std::vector<Simulation>{sim_before, sim_after})) {
+    diagnosis.spectrum.push_back({point.f_hz, point.measured_dps2_per_hz,
+                                  point.simulated_dps2_per_hz[0], point.simulated_dps2_per_hz[1]});
   }
   // One step a finding: the slow ones in the order they were found, then the samples' ones.
   std::vector<Simulation> simulations;

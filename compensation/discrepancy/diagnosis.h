@@ -15,6 +15,14 @@ namespace gyrocal {
 enum class Verdict { consistent, explained, unexplained, confounded };
 [[nodiscard]] std::string to_text(Verdict verdict);
 
+/// What the search held against a finding in its place, and what it gained there.
+struct Candidate {
+  std::string effect;
+  std::string law;
+  double nats = 0;         ///< over the model without it, shape parameters paid for
+  std::string tell_apart;  ///< from the finding: an observation; empty where none is known
+};
+
 /// One thing the present rig model lacks.
 struct Finding {
   std::string effect;  ///< a name of DESIGN section 10, or "unknown"
@@ -28,6 +36,7 @@ struct Finding {
   std::vector<std::string> confounded_with;
   std::string tell_apart;
   std::string description;
+  std::vector<Candidate> candidates;  ///< of the slow stream, best first, this one among them
 };
 
 /// How far the simulation is off on kept-out data: before the findings and with them.
@@ -51,6 +60,11 @@ struct GapStep {
   double gap = 0;
 };
 
+/// Mean spectrum of the kept-out dwells, measured and simulated [(deg/s)^2/Hz].
+struct SpectrumRow {
+  double f_hz, measured, before, after;
+};
+
 /// measured, before, after at one monitor row [deg/s].
 struct PredictionRow {
   double t_s, measured_dps, before_dps, after_dps;
@@ -66,7 +80,8 @@ struct Diagnosis {
   std::vector<GapStep> steps;
   rig::RigModel model;  ///< the given one with this session's baseline and the findings added
   std::vector<PredictionRow> prediction;
-  std::vector<std::string> notes;  ///< what was lost or assumed
+  std::vector<SpectrumRow> spectrum;  ///< empty if no dwell is kept out
+  std::vector<std::string> notes;     ///< what was lost or assumed
 };
 
 struct DiagnoseOptions {

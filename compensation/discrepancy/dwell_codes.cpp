@@ -267,6 +267,9 @@ void find_spread(std::span<const DwellData> dwells, double lsb, CodeFindings& fi
     points.push_back({dwell.die_c - 20, dwell.t_start_s / 3600, std::log(sd), std::sqrt(weight)});
   }
   if (points.size() < 5) return;
+  // From the middle on, so that the level told is that of the middle.
+  for (const auto& p : points) findings.middle_h += p[1] / static_cast<double>(points.size());
+  for (auto& p : points) p[1] -= findings.middle_h;
   const auto n = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixXd both(n, 3);
   Eigen::VectorXd y(n), root(n);

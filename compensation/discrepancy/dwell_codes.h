@@ -38,6 +38,7 @@ struct CodeFindings {
   double spread_at_20_dps = 0;
   double growth_nats = 0;  ///< ln sigma linear in time, what temperature explains taken off
   double growth_percent_per_h = 0, growth_sd = 0;
+  double middle_h = 0;  ///< mean time of the dwells: spread_at_20_dps is that of then
 
   double lost_nats = 0;
   std::int64_t lost = 0, expected = 0;

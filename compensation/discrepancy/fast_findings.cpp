@@ -214,7 +214,7 @@ void add_codes(const CodeFindings& codes, std::vector<Finding>& found) {
   if (codes.growth_nats > gate_nats && !bent) {
     Finding made = finding("unknown", "spread_over_time", codes.growth_percent_per_h, "%/h",
                            codes.growth_sd, codes.growth_nats);
-    made.parameters = {{"percent_per_h", codes.growth_percent_per_h}};
+    made.parameters = {{"percent_per_h", codes.growth_percent_per_h}, {"middle_h", codes.middle_h}};
     made.description = fmt::format(
         "the samples' white noise changes by {:+.3g} % an hour, whatever the temperature ({:.1f} "
         "nats over what temperature alone explains)",

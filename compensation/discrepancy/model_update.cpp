@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 #include <utility>
 
@@ -16,6 +17,7 @@ namespace {
 constexpr int knots_usual = 48;
 constexpr double time_knot_s = 120;
 constexpr int knots_max = 720;
+constexpr double same_line_hz = 0.05;
 
 bool drifts(const rig::Instance& instance, const rig::CubicBias& bias) {
   return instance.law->drift(instance.values, bias) != nullptr;
@@ -126,10 +128,50 @@ void add_unexplained(rig::RigModel& model, const SlowModel& slow,
   }
 }
 
+/// A line or a growth of the noise without a name.
+void add_unexplained_in_samples(rig::RigModel& model, const Finding& finding, const Track& track,
+                                std::size_t axis) {
+  if (finding.effect != "unknown") return;
+  rig::EmpiricalTerm term = term_for(axis);
+  constexpr int steps = 24;
+  if (finding.law == "line") {
+    term.driver = rig::EmpiricalDriver::phase;
+    term.period_s = 1 / finding.parameters.front().second;
+    for (int k = 0; k <= steps; ++k) {
+      term.at.push_back(static_cast<double>(k) / steps);
+      term.dps.push_back(finding.amplitude * std::sin(2 * std::numbers::pi * term.at.back()));
+    }
+    model.unexplained.push_back(std::move(term));
+  } else if (finding.law == "spread_over_time") {
+    term.driver = rig::EmpiricalDriver::campaign_time;
+    const double end_s = track.record.back().t_s;
+    for (int k = 0; k <= steps; ++k) {
+      term.at.push_back(end_s * k / steps);
+      const double hours = term.at.back() / 3600 - finding.parameters.back().second;
+      term.noise_factor.push_back(std::exp(finding.amplitude / 100 * hours));
+    }
+    model.unexplained.push_back(std::move(term));
+  }
+}
+
+bool is_that(const rig::EmpiricalTerm& term, const Finding& finding) {
+  if (finding.law == "line" && rig::is_line(term)) {
+    return std::abs(1 / term.period_s - finding.parameters.front().second) < same_line_hz;
+  }
+  if (finding.law == "spread_over_time" && !term.noise_factor.empty()) {
+    const double hours = (term.at.back() - term.at.front()) / 3600;
+    const double known =
+        100 * std::log(term.noise_factor.back() / term.noise_factor.front()) / hours;
+    return std::abs(finding.amplitude - known) <=
+           std::max(4 * finding.standard_error, 0.25 * std::abs(known));
+  }
+  return false;
+}
+
 }  // namespace
 
-void give_known_effects(std::span<const rig::Instance> instances, const rig::RigModel& model,
-                        std::size_t axis, SlowModel& slow) {
+double give_known_effects(std::span<const rig::Instance> instances, const rig::RigModel& model,
+                          std::size_t axis, SlowModel& slow) {
   const auto& record = slow.track().record;
   std::vector<double> course(record.size(), 0.0);
   NoiseFamily family;
@@ -142,12 +184,15 @@ void give_known_effects(std::span<const rig::Instance> instances, const rig::Rig
     for (std::size_t i = 0; i < course.size(); ++i) course[i] += added[i];
   }
   for (const rig::EmpiricalTerm& term : model.unexplained) {
-    if (!term.axes[axis]) continue;
+    if (!term.axes[axis] || rig::is_line(term)) continue;
     for (std::size_t i = 0; i < course.size(); ++i) course[i] += rig::drift_dps(term, record[i]);
   }
-  slow.set_known(course);
   slow.set_noise(family);
   slow.refit();
+  const double without = slow.fit().log_likelihood;
+  slow.set_known(course);
+  slow.refit();
+  return std::max(0.0, slow.fit().log_likelihood - without);
 }
 
 void add_findings(SlowModel& slow, const std::vector<SlowFinding>& story, std::size_t count) {
@@ -166,7 +211,12 @@ void add_findings(SlowModel& slow, const std::vector<SlowFinding>& story, std::s
   slow.refit();
 }
 
-bool already_modelled(const Finding& finding, std::span<const rig::Instance> instances) {
+bool already_modelled(const Finding& finding, std::span<const rig::Instance> instances,
+                      std::span<const rig::EmpiricalTerm> unexplained) {
+  if (finding.effect == "unknown") {
+    return std::any_of(unexplained.begin(), unexplained.end(),
+                       [&](const rig::EmpiricalTerm& term) { return is_that(term, finding); });
+  }
   return std::any_of(instances.begin(), instances.end(), [&](const rig::Instance& instance) {
     if (instance.effect->name != finding.effect) return false;
     if (instance.law->info.name == "single") return true;  // its number is a code, not a share
@@ -177,7 +227,9 @@ bool already_modelled(const Finding& finding, std::span<const rig::Instance> ins
 
 rig::RigModel fast_part(const rig::RigModel& model) {
   rig::RigModel fast = model;
-  fast.unexplained.clear();
+  std::erase_if(fast.unexplained, [](const rig::EmpiricalTerm& term) {
+    return term.noise_factor.empty() && !rig::is_line(term);
+  });
   std::erase_if(fast.effects, [](const rig::EffectUse& use) {
     const rig::Effect* effect = rig::find_effect(use.effect);
     constexpr unsigned on_samples = rig::spectrum | rig::distribution | rig::link;
@@ -218,8 +270,10 @@ void add_effect(rig::RigModel& model, const Finding& finding, std::size_t axis) 
 }
 
 rig::RigModel updated_model(const rig::RigModel& given, const SlowModel& slow,
-                            const std::vector<SlowFinding>& story, const std::vector<Finding>& fast,
-                            const CodeFindings& codes, std::size_t axis, const Track& track) {
+                            const std::vector<SlowFinding>& story,
+                            const std::vector<Finding>& findings, const CodeFindings& codes,
+                            std::size_t axis) {
+  const Track& track = slow.track();
   rig::RigModel model = given;
   model.parent = given.name;
   model.baseline.bias[axis] = slow.bias();
@@ -227,8 +281,10 @@ rig::RigModel updated_model(const rig::RigModel& given, const SlowModel& slow,
                              : codes.white_sd_dps > 0   ? codes.white_sd_dps
                                                         : given.baseline.noise_dps;
   if (track.board_sensor.tau_fitted) model.baseline.board_tau_s = track.board_sensor.tau_s;
-  for (const Finding& finding : to_findings(story)) add_effect(model, finding, axis);
-  for (const Finding& finding : fast) add_effect(model, finding, axis);
+  for (const Finding& finding : findings) {
+    add_effect(model, finding, axis);
+    add_unexplained_in_samples(model, finding, track, axis);
+  }
   add_unexplained(model, slow, story, axis);
   return model;
 }

@@ -81,11 +81,21 @@ bool happens_once(const SlowOption& chosen, const SlowOption& other) {
   return chosen.finding.effect == "bias_jump" && (law == "relay" || law == "turn");
 }
 
+std::vector<SlowRank> ranking_of(const std::vector<SlowOption>& all) {
+  std::vector<SlowRank> ranking;
+  for (const SlowOption& option : all) {
+    if (option.score <= 0) continue;
+    ranking.push_back({option.finding.effect, option.finding.law, option.score});
+  }
+  return ranking;
+}
+
 /// Evidence, lead and rivals of the best option among all.
 void judge(SlowOption& chosen, const std::vector<SlowOption>& all) {
   chosen.finding.evidence_nats = chosen.score;
   chosen.finding.lead_nats = chosen.score;
   chosen.finding.rivals.clear();
+  chosen.finding.ranking = ranking_of(all);
   if (is_unknown(chosen)) return;
   for (const SlowOption& other : all) {
     if (other.finding.effect == chosen.finding.effect || is_unknown(other)) continue;
@@ -116,9 +126,11 @@ std::vector<std::string> already(const std::vector<SlowOption>& chapters,
 class Story {
  public:
   Story(SlowModel& model, double sample_rate_hz, double interval_s,
-        const std::vector<std::string>& excluded, double gate, const Executor& run_all)
+        const std::vector<std::string>& excluded, double gate, double known_nats,
+        const Executor& run_all)
       : model_(model),
         gate_nats_(gate),
+        known_leftover_(known_leftover_share * known_nats),
         run_all_(run_all),
         sample_rate_hz_(sample_rate_hz),
         excluded_(excluded),
@@ -177,7 +189,9 @@ class Story {
     doubt_ramps(model_, *best);
     const SmoothGain curve = smooth_gains(model_).front();
     if (curve_beats_name(curve, *best)) return false;
-    add(curve_beats_chance(curve, *best) ? curve_option(curve) : *best);
+    SlowOption next = curve_beats_chance(curve, *best) ? curve_option(curve) : *best;
+    next.finding.ranking = best->finding.ranking;
+    add(std::move(next));
     return true;
   }
 
@@ -250,7 +264,7 @@ class Story {
 
   /// What the deterministic findings, not being exact, may leave over.
   [[nodiscard]] double expected_leftover(std::size_t leave_out) const {
-    double most = 0;
+    double most = known_leftover_;
     for (std::size_t i = 0; i < chapters_.size(); ++i) {
       const SlowOption& chapter = chapters_[i];
       if (i == leave_out || is_noise(chapter)) continue;
@@ -315,7 +329,9 @@ class Story {
     for (const SlowOption& chapter : chapters_) named += chapter.score;
     for (int i = 0; i < 2; ++i) {
       const auto gains = smooth_gains(model_);
-      if (gains.front().nats < std::max(unknown_gate_nats, unexplained_share * named)) return;
+      if (gains.front().nats <
+          std::max({unknown_gate_nats, unexplained_share * named, known_leftover_}))
+        return;
       withdraw_names_beaten_by(gains.front());
       add(curve_option(gains.front()));
     }
@@ -332,6 +348,7 @@ class Story {
 
   SlowModel& model_;
   double gate_nats_;
+  double known_leftover_;  ///< [nat]
   const Executor& run_all_;
   double sample_rate_hz_;
   std::vector<std::string> excluded_;
@@ -343,8 +360,8 @@ class Story {
 
 std::vector<SlowFinding> tell_slow_story(SlowModel& model, double sample_rate_hz, double interval_s,
                                          const std::vector<std::string>& excluded, double gate,
-                                         const Executor& run_all) {
-  Story story(model, sample_rate_hz, interval_s, excluded, gate, run_all);
+                                         double known_nats, const Executor& run_all) {
+  Story story(model, sample_rate_hz, interval_s, excluded, gate, known_nats, run_all);
   story.tell();
   return story.findings();
 }

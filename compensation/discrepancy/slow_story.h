@@ -10,6 +10,12 @@
 
 namespace gyrocal {
 
+/// What else was tried in the place of a finding.
+struct SlowRank {
+  std::string effect, law;
+  double nats = 0;
+};
+
 /// One addition to the model of the slow stream.
 struct SlowFinding {
   std::string effect;  ///< of the catalogue, or "unknown"
@@ -26,11 +32,14 @@ struct SlowFinding {
   std::vector<std::string> rivals;           ///< names within `lead_to_name_nats`
   std::string unknown_driver;                ///< unknown ones: what it follows
   std::string description;                   ///< unknown ones: shape, size, place, as a sentence
+  std::vector<SlowRank> ranking;             ///< what was tried in its place, best first
   std::vector<std::vector<double>> courses;  ///< what it adds to the model's shapes, if anything
 };
 
 inline constexpr double gate_nats = 10;
 inline constexpr double lead_to_name_nats = 5;
+/// What the drift that a rig model already holds may leave over, as a share of what it explains.
+inline constexpr double known_leftover_share = 0.12;
 
 /// Rounds of search, naming, refitting and swapping, until nothing is left or four things have been
 /// found. Leaves in `model` the terms, noise and shapes found.
@@ -41,6 +50,7 @@ inline constexpr double lead_to_name_nats = 5;
 [[nodiscard]] std::vector<SlowFinding> tell_slow_story(SlowModel& model, double sample_rate_hz,
                                                        double interval_s,
                                                        const std::vector<std::string>& excluded,
-                                                       double gate, const Executor& run_all);
+                                                       double gate, double known_nats,
+                                                       const Executor& run_all);
 
 }  // namespace gyrocal

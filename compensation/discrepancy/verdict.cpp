@@ -65,6 +65,9 @@ std::vector<Finding> to_findings(const std::vector<SlowFinding>& story) {
     finding.lead_nats = slow.lead_nats;
     finding.confounded_with = slow.rivals;
     finding.description = slow.description;
+    for (const SlowRank& rank : slow.ranking) {
+      finding.candidates.push_back({rank.effect, rank.law, rank.nats, ""});
+    }
     if (slow.term) {
       finding.parameters.clear();
       for (std::size_t i = 0; i < slow.term->values.size(); ++i) {
@@ -124,6 +127,11 @@ void explain(std::vector<Finding>& findings) {
     const rig::Effect* effect = rig::find_effect(finding.effect);
     if (effect == nullptr) continue;
     finding.tell_apart = tell_apart(*effect, finding.confounded_with);
+    for (Candidate& candidate : finding.candidates) {
+      for (const rig::Confusion& confusion : effect->confused_with) {
+        if (confusion.effect == candidate.effect) candidate.tell_apart = confusion.tell_apart;
+      }
+    }
     std::string text = fmt::format(
         "{} ({}): {} +- {:.2g}, {:.1f} nats over the model without it and {:.1f} over the best "
         "other name.",

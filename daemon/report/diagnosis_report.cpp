@@ -55,6 +55,24 @@ void add_findings(Page& page, const Diagnosis& diagnosis) {
   }
 }
 
+/// What was tried in the place of each finding of the slow stream.
+void add_ranking(Page& page, const Diagnosis& diagnosis) {
+  for (const Finding& finding : diagnosis.findings) {
+    if (finding.candidates.empty()) continue;
+    page.heading("What was held against " + finding.effect);
+    page.paragraph(
+        "Gain in log likelihood over the model without it, each in the same place, its shapes and "
+        "the noise fitted anew; a name needs 5 nats more than any other.");
+    std::vector<std::vector<std::string>> rows;
+    const double best = finding.candidates.front().nats;
+    for (const Candidate& candidate : finding.candidates) {
+      rows.push_back({candidate.effect, candidate.law, fmt::format("{:.1f}", candidate.nats),
+                      fmt::format("{:.1f}", best - candidate.nats), candidate.tell_apart});
+    }
+    page.table({"candidate", "law", "gain, nats", "behind the best, nats", "told apart by"}, rows);
+  }
+}
+
 void add_gap(Page& page, const Diagnosis& diagnosis) {
   const Gap& gap = diagnosis.gap;
   if (gap.held_out_dwells.empty()) return;
@@ -201,6 +219,30 @@ Result<void> add_figures(Page& page, const Session& session, const Diagnosis& di
   return {};
 }
 
+Result<void> add_spectra(Page& page, const Diagnosis& diagnosis) {
+  if (diagnosis.spectrum.empty()) return {};
+  Curve measured{"measured", Curve::Style::line, {}, {}, {}, 4};
+  Curve before{"simulated before", Curve::Style::line, {}, {}, {}, 1};
+  Curve after{"simulated after", Curve::Style::line, {}, {}, {}, 0};
+  for (const SpectrumRow& row : diagnosis.spectrum) {
+    for (Curve* curve : {&measured, &before, &after}) curve->x.push_back(row.f_hz);
+    measured.y.push_back(std::sqrt(row.measured) * to_mdps);
+    before.y.push_back(std::sqrt(row.before) * to_mdps);
+    after.y.push_back(std::sqrt(row.after) * to_mdps);
+  }
+  const auto svg = svg_of({"Spectra of the kept-out dwells",
+                           "frequency, Hz",
+                           "density, mdps/rtHz",
+                           false,
+                           true,
+                           {},
+                           {measured, before, after}});
+  if (!svg) return tl::unexpected(svg.error());
+  page.heading("Spectra");
+  page.figure(*svg, "Mean over the dwells kept out of every fit.");
+  return {};
+}
+
 void add_limits(Page& page, const Diagnosis& diagnosis) {
   page.heading("What would have been seen");
   page.paragraph("Smallest amplitude of each effect that would have passed the gate here.");
@@ -225,10 +267,12 @@ Result<std::string> diagnosis_report(const Session& session, const Diagnosis& di
   Page page("Diagnosis of " + source.session);
   page.banner(to_text(diagnosis.verdict), sentence_of(diagnosis));
   add_findings(page, diagnosis);
+  add_ranking(page, diagnosis);
   add_gap(page, diagnosis);
   if (auto drawn = add_figures(page, session, diagnosis); !drawn) {
     return tl::unexpected(drawn.error());
   }
+  if (auto drawn = add_spectra(page, diagnosis); !drawn) return tl::unexpected(drawn.error());
   add_limits(page, diagnosis);
   if (!diagnosis.notes.empty()) page.heading("Notes");
   page.list(diagnosis.notes);

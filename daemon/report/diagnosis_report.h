@@ -14,8 +14,8 @@ struct DiagnosisSource {
   std::string software_version;
 };
 
-/// A diagnosis as one HTML file: verdict, findings, gap, course and residual over time,
-/// temperature and direction, detection limits.
+/// A diagnosis as one HTML file: verdict, findings, the candidates held against each, gap, course
+/// and residual over time, temperature and direction, spectra, detection limits.
 /// @return the errors of svg_of().
 [[nodiscard]] Result<std::string> diagnosis_report(const Session& session,
                                                    const Diagnosis& diagnosis,
