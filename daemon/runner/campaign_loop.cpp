@@ -254,6 +254,7 @@ Result<void> CampaignLoop::feed(const campaign::Event& event) {
   const char* const left = campaign::name(state_);
   const std::string after = campaign::describe(plan_, step.next);
   state_ = std::move(step.next);
+  if (const auto* visit = campaign::visit_of(state_)) reached_ = visit->point;
   if (before != after) {
     entered_ = now();
     conditions_.entered(state_, entered_);

@@ -102,7 +102,8 @@ class CampaignLoop {
   DwellCollector collector_;
   campaign::Visit dwell_visit_;
   campaign::State state_ = campaign::Preflight{};
-  Duration entered_{};  ///< when state_ began
+  Duration entered_{};       ///< when state_ began
+  std::size_t reached_ = 0;  ///< the setpoint it was about last
   bool chamber_was_away_ = false;
   int doubtful_told_ = 0;
   Duration doubt_told_ = Duration::min();

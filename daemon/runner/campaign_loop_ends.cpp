@@ -12,6 +12,13 @@ constexpr Kelvin warm_enough{2};
 /// A chamber that cannot be told for so long needs a person at its panel.
 constexpr Duration safety_tried_for = std::chrono::hours{12};
 
+bool has_visited_all(const campaign::State& state) {
+  const auto* returning = std::get_if<campaign::Returning>(&state);
+  return (returning && !returning->aborting) ||
+         std::holds_alternative<campaign::Analysing>(state) ||
+         std::holds_alternative<campaign::Finished>(state);
+}
+
 std::string why(const campaign::State& state) {
   if (const auto* safe = std::get_if<campaign::Safe>(&state)) return safe->why;
   if (const auto* holding = std::get_if<campaign::Holding>(&state)) return holding->why;
@@ -91,8 +98,7 @@ Snapshot CampaignLoop::snapshot() const {
   s.why = why(state_);
   s.since = entered_;
   s.setpoints = plan_.setpoints.size();
-  const campaign::Visit* visit = campaign::visit_of(state_);
-  s.setpoints_done = visit ? visit->point : s.setpoints;
+  s.setpoints_done = has_visited_all(state_) ? s.setpoints : reached_;
   s.air = chamber_.latest().actual;
   s.setpoint = chamber_.latest().setpoint;
   if (collector_.running()) s.dwell_share = collector_.progress();

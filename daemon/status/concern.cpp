@@ -37,13 +37,23 @@ std::optional<Concern> silence(const View& view) {
       "panel."};
 }
 
+/// What has become of the chamber since the trip, from the events that followed it.
+std::string chamber_after_trip(const View& view) {
+  for (auto event = view.events.rbegin(); event != view.events.rend(); ++event) {
+    if (event->kind == "safe_setpoint") return "The chamber has confirmed its safe setpoint.";
+    if (event->kind == "hands_off") return "The chamber is left to whoever else commands it.";
+    if (event->kind == "not_safe") break;
+  }
+  return "The chamber has NOT confirmed its safe setpoint.";
+}
+
 std::optional<Concern> ending(const View& view) {
   const runner::Snapshot& now = *view.now;
   if (now.state == "safe") {
-    return Concern{"error", "The campaign has tripped: " + now.why + ".",
-                   "Look after the chamber and remove the cause; then 'gyrocal run " +
-                       view.facts.campaign_path +
-                       " --resume' goes on with the first unfinished setpoint."};
+    return Concern{
+        "error", "The campaign has tripped: " + now.why + ".",
+        chamber_after_trip(view) + " Look after it and remove the cause; then 'gyrocal run " +
+            view.facts.campaign_path + " --resume' goes on with the first unfinished setpoint."};
   }
   if (now.state == "aborted") {
     return Concern{"warning", "An operator has ended the campaign.", ""};
@@ -57,8 +67,7 @@ std::optional<Concern> ending(const View& view) {
 
 std::optional<Concern> chamber_trouble(const View& view) {
   const runner::Snapshot& now = *view.now;
-  const bool old = to_seconds(now.chamber_age) > view.facts.chamber_stale_s / 2;
-  if (old) {
+  if (chamber_is_stale(view.facts, now)) {
     return Concern{"warning",
                    fmt::format("The chamber has not answered for {}; after {:.0f} s the campaign "
                                "trips.",

@@ -87,14 +87,17 @@ std::string progress_section(const View& view) {
   const runner::Snapshot& now = *view.now;
   const std::string since = fmt::format("for {}, since {}", clock_text(now.t - now.since),
                                         moment(view, utc_of(view, now.since)));
-  const std::string chamber_note = fmt::format("set {}, read {:.0f}&nbsp;s ago",
-                                               number(now.setpoint), to_seconds(now.chamber_age));
+  const std::string age = fmt::format("read {:.0f}&nbsp;s ago", to_seconds(now.chamber_age));
+  const bool stale = chamber_is_stale(view.facts, now);
+  const std::string chamber_note = stale ? fmt::format("last {}, {}", number(now.air), age)
+                                         : fmt::format("set {}, {}", number(now.setpoint), age);
   return fmt::format(
       "<section id=\"progress\"><p class=\"where\">{}</p>"
       "<progress max=\"1\" value=\"{:.4f}\">{:.0f} %</progress>"
       "<dl class=\"tiles\">{}{}{}{}</dl></section>\n",
       escaped(now.text), progress_of(now), 100 * progress_of(now), tile("State", now.state, since),
-      setpoint_tile(now), tile("Chamber", number(now.air), chamber_note), eta_tile(view));
+      setpoint_tile(now), tile("Chamber", stale ? unknown : number(now.air), chamber_note),
+      eta_tile(view));
 }
 
 /// The label is for narrow screens, where a row becomes a list.

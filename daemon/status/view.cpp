@@ -14,13 +14,10 @@ void keep_latest(std::vector<EventInsert>& events) {
 Point point_of(const Facts& facts, const runner::Snapshot& now) {
   Point point;
   point.t_s = to_seconds(now.t);
-  if (now.air) point.chamber_c = now.air->value;
-  if (now.setpoint) point.setpoint_c = now.setpoint->value;
+  const bool known = !chamber_is_stale(facts, now);
+  if (known && now.air) point.chamber_c = now.air->value;
+  if (known && now.setpoint) point.setpoint_c = now.setpoint->value;
   for (const BoardView& board : boards_of(facts, now)) {
-    if (!board.present) {
-      point.boards.emplace_back();
-      continue;
-    }
     point.boards.push_back(
         {board.board_c, board.rate_dps[2], board.slope_k_per_h.value_or(missing)});
   }
@@ -38,14 +35,14 @@ std::vector<BoardView> boards_of(const Facts& facts, const runner::Snapshot& now
     board.present = from.present;
     board.given_up = from.given_up;
     board.trouble = from.trouble;
-    board.slope_k_per_h = from.slope_k_per_h;
+    if (from.present) board.slope_k_per_h = from.slope_k_per_h;
     board.slope_limit_k_per_h = facts.slope_limit_k_per_h;
     board.frames = from.frames;
     board.frames_missing = from.frames_missing;
     board.restarts = from.restarts;
     const double sent = double(from.frames + from.frames_missing);
     board.lost_share = sent > 0 ? double(from.frames_missing) / sent : 0;
-    if (from.latest && i < facts.boards.size()) {
+    if (from.present && from.latest && i < facts.boards.size()) {
       board.board_c = from.latest->board_c();
       board.frames_per_s = double(from.latest->frames) / campaign::monitor_interval_s;
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -56,6 +53,10 @@ std::vector<BoardView> boards_of(const Facts& facts, const runner::Snapshot& now
     boards.push_back(std::move(board));
   }
   return boards;
+}
+
+bool chamber_is_stale(const Facts& facts, const runner::Snapshot& now) {
+  return to_seconds(now.chamber_age) > facts.chamber_stale_s / 2;
 }
 
 std::int64_t utc_of(const View& view, Duration t) {

@@ -44,6 +44,9 @@ struct BoardView {
 };
 [[nodiscard]] std::vector<BoardView> boards_of(const Facts& facts, const runner::Snapshot& now);
 
+/// Whether the chamber's last believed reading is so old that it says nothing of the present.
+[[nodiscard]] bool chamber_is_stale(const Facts& facts, const runner::Snapshot& now);
+
 /// UTC of an instant of campaign time, as far as the present one tells.
 [[nodiscard]] std::int64_t utc_of(const View& view, Duration t);
 

@@ -116,6 +116,18 @@ SCENARIO("what the plots show has one value a column and point") {
   CHECK(json["boards"][1]["temperature_c"] == nlohmann::json{nullptr});
 }
 
+SCENARIO("what is away or too old is shown as unknown, not as it was last") {
+  auto now = sample_snapshot();
+  now.chamber_age = seconds(16);
+  now.each_board[0].present = false;
+  const View view = sample_view(now);
+  const auto history = nlohmann::json::parse(history_json(view));
+  CHECK(history["chamber_c"] == nlohmann::json{nullptr});
+  CHECK(history["boards"][0]["rate_z_dps"] == nlohmann::json{nullptr});
+  CHECK(history["boards"][1]["rate_z_dps"] == nlohmann::json{-1.0});
+  CHECK(holds(numbers_html(view), "last 20.5&nbsp;°C, read 16&nbsp;s ago"));
+}
+
 SCENARIO("a server-sent event keeps its lines together") {
   CHECK(server_sent_event("numbers", "one\r\ntwo") == "event: numbers\ndata: one\ndata: two\n\n");
 }

@@ -26,6 +26,10 @@ SCENARIO("a trip says why, and how to go on") {
   CHECK(concern.severity == "error");
   CHECK(concern.sentence == "The campaign has tripped: no reading of the chamber for 31 s.");
   CHECK(concern.advice.find("gyrocal run weekend.toml --resume") != std::string::npos);
+  CHECK(concern.advice.find("has NOT confirmed its safe setpoint") != std::string::npos);
+  const EventInsert confirmed{0, 0, "info", "safe_setpoint", "the chamber has confirmed it"};
+  CHECK(sample_view(now, {confirmed}).concern.advice.find("has confirmed its safe setpoint") !=
+        std::string::npos);
 }
 
 SCENARIO("a board that is away is named with its reason") {
