@@ -61,7 +61,8 @@ void add_progress(const View& view, Json& json) {
                  {"end_utc_max", utc_text(utc_of(view, now.t + now.left_max))}};
   json["chamber"] = {{"temperature_c", number(now.air)},
                      {"setpoint_c", number(now.setpoint)},
-                     {"reading_age_s", to_seconds(now.chamber_age)}};
+                     {"reading_age_s", to_seconds(now.chamber_age)},
+                     {"stale", chamber_is_stale(view.facts, now)}};
   json["boards"] = Json::array();
   for (const BoardView& board : boards_of(view.facts, now))
     json["boards"].push_back(json_of(board));

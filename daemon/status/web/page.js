@@ -102,8 +102,8 @@
       return;
     }
     history.t_s.push(status.t_s);
-    history.chamber_c.push(status.chamber.temperature_c);
-    history.setpoint_c.push(status.chamber.setpoint_c);
+    history.chamber_c.push(status.chamber.stale ? null : status.chamber.temperature_c);
+    history.setpoint_c.push(status.chamber.stale ? null : status.chamber.setpoint_c);
     status.boards.forEach((board, i) => {
       if (!history.boards[i]) return;
       history.boards[i].temperature_c.push(board.present ? board.temperature_c : null);

@@ -121,6 +121,7 @@ SCENARIO("what is away or too old is shown as unknown, not as it was last") {
   now.chamber_age = seconds(16);
   now.each_board[0].present = false;
   const View view = sample_view(now);
+  CHECK(nlohmann::json::parse(status_json(view))["chamber"]["stale"] == true);
   const auto history = nlohmann::json::parse(history_json(view));
   CHECK(history["chamber_c"] == nlohmann::json{nullptr});
   CHECK(history["boards"][0]["rate_z_dps"] == nlohmann::json{nullptr});
