@@ -63,10 +63,12 @@ SCENARIO("at real speed, a dwell shorter than a chamber poll still has its sampl
   const auto outcome =
       run_requested(request, hooks, [&](const Store& store, CampaignId campaign, auto&&) {
         dwells = *store.dwells(campaign);
-        for (const auto& [id, board] : *store.boards(campaign)) {
-          for (const auto& dwell : *store.accepted_dwells(campaign, id)) {
-            samples += store.samples(dwell.id)->size();
-          }
+        const auto boards = store.boards(campaign);
+        REQUIRE(boards);
+        for (const auto& [id, board] : *boards) {
+          const auto accepted = store.accepted_dwells(campaign, id);
+          REQUIRE(accepted);
+          for (const auto& dwell : *accepted) samples += store.samples(dwell.id)->size();
         }
       });
   if (!outcome) FAIL(to_text(outcome.error()));
