@@ -5,6 +5,7 @@
 #include <array>
 
 #include "compensation/grey/translation.h"
+#include "compensation/values/nearest_name.h"
 
 namespace gyrocal {
 namespace {
@@ -52,7 +53,7 @@ Result<Method> method_named(std::string_view wanted) {
     known.emplace_back(name);
   }
   return fail(Errc::unknown_name, fmt::format("no method is named \"{}\"", wanted),
-              fmt::format("known: {}", fmt::join(known, ", ")));
+              fmt::format("{}known: {}", is_meant(wanted, known), fmt::join(known, ", ")));
 }
 
 Eigen::VectorXd DriftSeries::index() const {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compensation/firmware/comparison.h"
+#include "compensation/values/nearest_name.h"
 
 namespace gyrocal {
 namespace {
@@ -96,7 +97,7 @@ Result<FirmwareFormat> firmware_format_named(std::string_view name) {
     known.push_back(known_name);
   }
   return fail(Errc::unknown_name, fmt::format("no firmware format is named \"{}\"", name),
-              fmt::format("known: {}", fmt::join(known, ", ")));
+              fmt::format("{}known: {}", is_meant(name, known), fmt::join(known, ", ")));
 }
 
 Result<FirmwareFile> export_firmware(const FirmwareRequest& request) {

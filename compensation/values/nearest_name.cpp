@@ -40,4 +40,9 @@ std::string nearest_name(std::string_view asked, std::span<const std::string_vie
   return best;
 }
 
+std::string is_meant(std::string_view asked, std::span<const std::string_view> known) {
+  const auto near = nearest_name(asked, known);
+  return near.empty() ? near : "is \"" + near + "\" meant? ";
+}
+
 }  // namespace gyrocal

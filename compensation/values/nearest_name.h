@@ -12,4 +12,7 @@ namespace gyrocal {
 [[nodiscard]] std::string nearest_name(std::string_view asked,
                                        std::span<const std::string_view> known);
 
+/// For the advice of an error: "is \"fit\" meant? ", or empty if nothing is near.
+[[nodiscard]] std::string is_meant(std::string_view asked, std::span<const std::string_view> known);
+
 }  // namespace gyrocal

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "compensation/values/nearest_name.h"
 #include "compensation/wavelet/filter_bank_table.h"
 
 namespace gyrocal {
@@ -40,11 +41,15 @@ const std::vector<FilterBank>& filter_banks() {
 
 Result<const FilterBank*> find_filter_bank(std::string_view name) {
   const std::string_view wanted = name == "db1" ? "haar" : name;
+  std::vector<std::string_view> known;
   for (const FilterBank& bank : filter_banks()) {
     if (bank.name == wanted) return &bank;
+    known.emplace_back(bank.name);
   }
+  const auto near = nearest_name(name, known);
   return fail(Errc::unknown_name, fmt::format("unknown wavelet '{}'", name),
-              "known wavelets: " + known_names());
+              "known wavelets: " + known_names() +
+                  (near.empty() ? "" : fmt::format("; is {} meant?", near)));
 }
 
 }  // namespace gyrocal

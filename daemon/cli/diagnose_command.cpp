@@ -31,7 +31,6 @@ struct Options {
   bool all = false, json = false, verdict_as_exit_code = false;
 };
 
-constexpr int exit_explained = 10, exit_unexplained = 11, exit_confounded = 12;
 std::optional<WantedAxis> wanted_of(const Options& options) {
   if (options.all) return std::nullopt;
   return WantedAxis{options.board, options.axis};

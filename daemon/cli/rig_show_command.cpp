@@ -5,6 +5,7 @@
 
 #include "compensation/rig/effects/catalogue.h"
 #include "compensation/rig/empirical_term.h"
+#include "compensation/values/nearest_name.h"
 #include "config/rig_model.h"
 #include "config/rig_model_diff.h"
 #include "daemon/cli/outcome.h"
@@ -97,6 +98,14 @@ void print_model(const rig::RigModel& model) {
   }
 }
 
+/// What is no file may be an effect's name with a letter wrong.
+Error with_nearest_effect(Error error, const std::string& asked) {
+  std::vector<std::string_view> names;
+  for (const rig::Effect& effect : rig::catalogue()) names.emplace_back(effect.name);
+  error.advice.insert(0, is_meant(asked, names));
+  return error;
+}
+
 int show(const ShowOptions& options) {
   if (options.catalogue) return show_catalogue(options.as_json);
   if (const rig::Effect* effect = rig::find_effect(options.what)) {
@@ -108,7 +117,7 @@ int show(const ShowOptions& options) {
     return exit_done;
   }
   const auto model = read_rig_model(options.what);
-  if (!model) return report(model.error());
+  if (!model) return report(with_nearest_effect(model.error(), options.what));
   if (options.as_json) {
     fmt::print("{}\n", rig_model_to_json(*model));
   } else {

@@ -7,17 +7,19 @@
 
 #include "compensation/rig/effects/catalogue.h"
 #include "compensation/values/assert.h"
+#include "compensation/values/nearest_name.h"
 
 namespace gyrocal::rig {
 namespace {
 
 constexpr double two_pi = 6.28318530717958647692;
 
+/// Advice for a name that none of `items` has.
 template <class Items, class Name>
-std::string names_of(const Items& items, Name name) {
+std::string known(const std::string& asked, const Items& items, Name name) {
   std::vector<std::string_view> names;
   for (const auto& item : items) names.push_back(name(item));
-  return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{}known: {}", is_meant(asked, names), fmt::join(names, ", "));
 }
 
 Result<std::size_t> parameter_index(const Effect& effect, const Law& law, const std::string& name) {
@@ -28,7 +30,7 @@ Result<std::size_t> parameter_index(const Effect& effect, const Law& law, const 
   return fail(
       Errc::unknown_name,
       fmt::format("effect {}, law {}: unknown parameter \"{}\"", effect.name, law.info.name, name),
-      "known: " + names_of(parameters, [](const Parameter& p) { return p.name; }));
+      known(name, parameters, [](const Parameter& p) { return p.name; }));
 }
 
 }  // namespace
@@ -83,13 +85,13 @@ Result<Instance> instantiate(const EffectUse& use) {
   const Effect* effect = find_effect(use.effect);
   if (effect == nullptr) {
     return fail(Errc::unknown_name, fmt::format("unknown effect \"{}\"", use.effect),
-                "known: " + names_of(catalogue(), [](const Effect& e) { return e.name; }));
+                known(use.effect, catalogue(), [](const Effect& e) { return e.name; }));
   }
   const Law* law = use.law.empty() ? effect->laws.front().get() : find_law(*effect, use.law);
   if (law == nullptr) {
     return fail(Errc::unknown_name,
                 fmt::format("effect {}: unknown law \"{}\"", effect->name, use.law),
-                "known: " + names_of(effect->laws, [](const auto& l) { return l->info.name; }));
+                known(use.law, effect->laws, [](const auto& l) { return l->info.name; }));
   }
   Instance instance{effect, law, usual_values(*law), use.axes, use.boards};
   for (const auto& [name, value] : use.parameters) {

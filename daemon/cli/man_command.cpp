@@ -1,0 +1,67 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "daemon/cli/command.h"
+#include "daemon/cli/command_tree.h"
+#include "daemon/cli/manual_page.h"
+#include "daemon/cli/outcome.h"
+#include "daemon/cli/text_output.h"
+#include "gyrocal_version.h"
+
+namespace gyrocal::cli {
+namespace {
+
+struct ManOptions {
+  std::vector<std::string> words;
+  std::string folder;
+};
+
+int write_all(const CLI::App& root, const std::string& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);  // else writing says why not
+  for (const auto& [name, text] : manual_pages(root, GYROCAL_VERSION)) {
+    if (const auto written = write_text_file(folder + "/" + name, text); !written) {
+      return report(written.error());
+    }
+  }
+  return exit_done;
+}
+
+int print_one(const CLI::App& root, const std::vector<std::string>& words) {
+  const CLI::App* at = &root;
+  for (const auto& word : words) {
+    const auto below = subcommands(*at);
+    const auto next = std::find_if(below.begin(), below.end(),
+                                   [&](const CLI::App* each) { return each->get_name() == word; });
+    if (next == below.end()) {
+      return report({Errc::unknown_name, fmt::format("no command is named \"{}\"", word),
+                     "gyrocal --help lists them"});
+    }
+    at = *next;
+  }
+  fmt::print("{}", manual_page(*at, GYROCAL_VERSION));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_man(CLI::App& root, Chosen& chosen) {
+  auto* command = root.add_subcommand("man",
+                                      "Example: gyrocal man fit | man -l -\n"
+                                      "         gyrocal man --out man1\n"
+                                      "Prints the man page of a command, or writes all of them.");
+  const auto options = std::make_shared<ManOptions>();
+  command->add_option("command", options->words, "the command's words; none: gyrocal itself");
+  command->add_option("--out", options->folder, "folder for all pages");
+  command->callback([options, &root, &chosen] {
+    chosen = [options, &root] {
+      return options->folder.empty() ? print_one(root, options->words)
+                                     : write_all(root, options->folder);
+    };
+  });
+}
+
+}  // namespace gyrocal::cli

@@ -1,0 +1,100 @@
+#include "daemon/cli/command_tree.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "daemon/cli/command.h"
+#include "daemon/cli/completion.h"
+#include "daemon/cli/manual_page.h"
+#include "daemon/cli/mistyped.h"
+
+using namespace gyrocal::cli;
+
+namespace {
+
+struct Program {
+  CLI::App app{"Example: gyrocal fit --help\nCalibrates.", "gyrocal"};
+  Chosen chosen;
+  Program() { add_all_commands(app, chosen); }
+};
+
+void for_each_command(const CLI::App& at, const std::function<void(const CLI::App&)>& look) {
+  look(at);
+  for (const CLI::App* each : subcommands(at)) for_each_command(*each, look);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += word + " ";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("every command's help begins with an example of itself", "[cli]") {
+  const Program program;
+  int commands = 0;
+  for_each_command(program.app, [&](const CLI::App& command) {
+    const auto parts = described(command.get_description());
+    const auto path = joined(path_of(command));
+    CAPTURE(path);
+    REQUIRE_FALSE(parts.examples.empty());
+    CHECK(parts.examples.front().find(path.substr(0, path.size() - 1)) != std::string::npos);
+    CHECK((!parts.text.empty() || command.get_name() == "version"));
+    ++commands;
+  });
+  CHECK(commands >= 30);
+}
+
+TEST_CASE("a mistyped command or option gets the nearest one", "[cli]") {
+  const Program program;
+  const auto told = [&](std::vector<std::string> words) { return mistyped(program.app, words); };
+  CHECK(told({"repaly", "x"}) == "gyrocal has no command \"repaly\"; is replay meant?");
+  CHECK(told({"rig", "sevre"}) == "gyrocal rig has no command \"sevre\"; is serve meant?");
+  CHECK(told({"db", "chekc", "a.db"}) == "gyrocal db has no command \"chekc\"; is check meant?");
+  CHECK(told({"fit", "--bd", "x"}) == "gyrocal fit has no option \"--bd\"; is --db meant?");
+  CHECK(told({"xyzzy"}) == "gyrocal has no command \"xyzzy\"");
+  CHECK(told({"db", "campaign.db"}).empty());
+  CHECK(told({"fit", "--db", "--bd"}).empty());  // the value of --db, however odd
+  CHECK(told({"fit", "--db=x", "--axis", "z"}).empty());
+}
+
+TEST_CASE("each command and option but its last letter is told apart", "[cli][property]") {
+  const Program program;
+  for_each_command(program.app, [&](const CLI::App& command) {
+    auto words = path_of(command);
+    words.erase(words.begin());
+    for (const CLI::Option* option : options(command)) {
+      for (const auto& name : option->get_lnames()) {
+        if (name.size() < 5) continue;
+        auto asked = words;
+        asked.push_back("--" + name.substr(0, name.size() - 1));
+        CAPTURE(joined(asked));
+        CHECK(mistyped(program.app, asked).find("meant?") != std::string::npos);
+      }
+    }
+  });
+}
+
+TEST_CASE("man pages hold every command and option", "[cli]") {
+  const Program program;
+  const auto pages = manual_pages(program.app, "0");
+  const auto page = std::find_if(pages.begin(), pages.end(), [](const auto& named) {
+    return named.first == "gyrocal-rig-serve.1";
+  });
+  REQUIRE(page != pages.end());
+  CHECK(page->second.find(".SH NAME\ngyrocal\\-rig\\-serve \\- ") != std::string::npos);
+  CHECK(page->second.find("\\-\\-time\\-scale") != std::string::npos);
+  CHECK(page->second.find(".SH EXIT STATUS") != std::string::npos);
+}
+
+TEST_CASE("completion knows commands below commands and closed sets of values", "[cli]") {
+  const Program program;
+  const auto bash = bash_completion(program.app);
+  CHECK(bash.find("'gyrocal rig') echo 'serve simulate models show diff --help' ;;") !=
+        std::string::npos);
+  CHECK(bash.find("'gyrocal fit --axis') echo 'x y z' ;;") != std::string::npos);
+  CHECK(zsh_completion(program.app).starts_with("#compdef gyrocal\n"));
+  CHECK(fish_completion(program.app).find("-l axis -x -a 'x y z'") != std::string::npos);
+}
