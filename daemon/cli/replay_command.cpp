@@ -4,6 +4,7 @@
 
 #include "daemon/cli/command.h"
 #include "daemon/cli/outcome.h"
+#include "daemon/cli/text_output.h"
 #include "daemon/replay/replay.h"
 #include "gyrocal_version.h"
 
@@ -14,6 +15,7 @@ struct Options {
   std::string recording;
   std::string against;
   std::string campaign;
+  std::string junit;
   bool as_json = false;
 };
 
@@ -26,6 +28,10 @@ int run(const Options& options) {
   if (!replayed) return report(replayed.error());
   fmt::print("{}", options.as_json ? replay::report_json(*replayed, GYROCAL_VERSION) + "\n"
                                    : replay::report_text(*replayed));
+  if (!options.junit.empty()) {
+    const auto written = write_text_file(options.junit, replay::report_junit(*replayed));
+    if (!written) return report(written.error());
+  }
   return replayed->passed() ? exit_done : exit_differs;
 }
 
@@ -48,6 +54,7 @@ void add_replay(CLI::App& root, Chosen& chosen) {
                       "the campaign's database; default: the capsule's own, else NAME.db beside");
   command->add_option("--campaign", options->campaign,
                       "decide by this campaign file instead: what would it have changed?");
+  command->add_option("--junit", options->junit, "write the outcome as JUnit XML too");
   command->add_flag("--json", options->as_json, "print JSON");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

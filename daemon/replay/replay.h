@@ -59,5 +59,8 @@ struct ReplayReport {
 [[nodiscard]] std::string report_text(const ReplayReport& report);
 [[nodiscard]] std::string report_json(const ReplayReport& report,
                                       const std::string& software_version);
+/// JUnit XML as GitLab, Jenkins and GitHub's reporters read it: one test case a run, one for the
+/// second replay.
+[[nodiscard]] std::string report_junit(const ReplayReport& report);
 
 }  // namespace gyrocal::replay

@@ -50,6 +50,25 @@ SCENARIO("with another stability limit it does not, and the decision that differ
         std::string::npos);
 }
 
+SCENARIO("a CI reads the outcome as JUnit XML, alike and differing") {
+  const std::string junit = temporary_file("junit.xml", "");
+  const auto text = [&] {
+    std::stringstream whole;
+    whole << std::ifstream(junit).rdbuf();
+    return whole.str();
+  };
+  REQUIRE(run_gyrocal("replay " + capsule + " --junit " + junit).exit_code == 0);
+  CHECK(text().find("<testsuite name=\"gyrocal replay\" tests=\"3\" failures=\"0\">") !=
+        std::string::npos);
+  const std::string looser = campaign_with("soak_s_min = 300", "soak_s_min = 200");
+  CHECK(
+      run_gyrocal("replay " + capsule + " --campaign " + looser + " --junit " + junit).exit_code ==
+      4);
+  CHECK(text().find("failures=\"1\"") != std::string::npos);
+  CHECK(text().find("soaking -&gt; logging") != std::string::npos);
+  CHECK(text().find("soaking -> logging") == std::string::npos);
+}
+
 SCENARIO("a recording that is none, and a window that holds nothing, are refused") {
   const Ran foreign = run_gyrocal("replay " + folder + "outages.toml");
   CHECK(foreign.exit_code == 1);
