@@ -2,6 +2,7 @@
 # make test    every test
 # make bench   timings beside their peers        make judge   diagnose against hidden effects
 # make soak    the long forms: fuzzing, sanitizers, seeds       make install [PREFIX= DESTDIR=]
+# make deb     a Debian package; the same source gives the same bytes
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
@@ -18,7 +19,7 @@ BUILD := build/release
 DEMO := build/demo
 CAMPAIGN := config/campaigns/demo.toml
 
-.PHONY: help packages build demo test bench judge soak install
+.PHONY: help packages build demo test bench judge soak install deb
 
 help:
 	@grep -E '^# make' Makefile | cut -c3-
@@ -95,5 +96,17 @@ soak: build
 	done
 	$(BUILD)/tests/faults/fault_campaigns $(SEEDS) $(FIRST)
 
+# The prefix is compiled in: where profiles are looked for, which programs the unit starts.
 install: build
-	@cmake --install $(BUILD) --prefix "$(PREFIX)"
+	@cmake --preset release -DCMAKE_INSTALL_PREFIX="$(PREFIX)" >build/configure.log
+	cmake --build --preset release -j $(JOBS)
+	cmake --install $(BUILD)
+
+# Dated by the last commit, or by SOURCE_DATE_EPOCH, so that a rebuild gives the same file.
+SOURCE_DATE_EPOCH ?= $(shell git log -1 --format=%ct 2>/dev/null || stat -c %Y CMakeLists.txt)
+export SOURCE_DATE_EPOCH
+deb: packages
+	@cmake --preset package >build/configure-package.log
+	cmake --build --preset package -j $(JOBS)
+	cd build/package && cpack >cpack.log || { cat cpack.log >&2; exit 1; }
+	sha256sum *.deb

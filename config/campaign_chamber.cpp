@@ -1,9 +1,12 @@
 #include <arpa/inet.h>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <string_view>
+#include <vector>
 
 #include "config/campaign_sections.h"
 #include "config/places.h"
@@ -49,9 +52,9 @@ std::optional<std::string> find_chamber_profile(const std::string& profile,
   if (profile.find('/') != std::string::npos || profile.ends_with(".toml")) {
     return (folder / profile).lexically_normal().string();
   }
-  for (const fs::path& place :
-       {folder, fs::path(places::site_chambers), fs::path(places::installed_chambers),
-        fs::path(places::source_chambers)}) {
+  std::vector<fs::path> folders{folder};
+  folders.insert(folders.end(), std::begin(places::chambers), std::end(places::chambers));
+  for (const fs::path& place : folders) {
     const fs::path file = place / (profile + ".toml");
     std::error_code ignored;  // an unreadable folder holds no profile for us
     if (fs::is_regular_file(file, ignored)) return file.lexically_normal().string();
@@ -68,10 +71,10 @@ Result<std::optional<ChamberProfile>> named_profile(TomlSection& table, const st
   const auto file = find_chamber_profile(name, folder.string());
   if (name.empty()) return std::nullopt;
   if (!file) {
-    table.expected("profile", Errc::unknown_name,
-                   fmt::format("the name of a profile in {}, {}, {} or {}",
-                               folder.empty() ? "." : folder.string(), places::site_chambers,
-                               places::installed_chambers, places::source_chambers));
+    table.expected(
+        "profile", Errc::unknown_name,
+        fmt::format("the name of a profile in {} or {}", folder.empty() ? "." : folder.string(),
+                    fmt::join(places::chambers, " or ")));
     return std::nullopt;
   }
   return read_chamber_profile(*file);

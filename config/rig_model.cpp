@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "compensation/rig/effects/effect.h"
@@ -242,7 +243,7 @@ Result<rig::RigModel> parse_rig_model(const std::string& text, const std::string
 }
 
 std::vector<std::string> rig_model_folders() {
-  return {places::installed_rig_models, places::source_rig_models};
+  return {std::begin(places::rig_models), std::end(places::rig_models)};
 }
 
 Result<rig::RigModel> read_rig_model(const std::string& path_or_name) {

@@ -1,0 +1,25 @@
+# cpack: a Debian package of what `cmake --install` puts below /usr (preset "package").
+include(GNUInstallDirs)
+install(FILES README.md LICENSE config/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME gyrocal)
+set(CPACK_PACKAGE_VENDOR gyrocal)
+set(CPACK_PACKAGE_CONTACT "the gyrocal developers <gyrocal@example.org>")
+set(CPACK_PACKAGE_DESCRIPTION "Drives a climate chamber, logs gyro boards at each setpoint into SQLite, fits drift\nmodels with honest errors and writes them as firmware files; holds each session\nagainst a simulation and names the physical effect that it lacks.")
+set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
+set(CPACK_STRIP_FILES ON)
+# Folders of a package must not depend on who built it.
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "systemd")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, sqlite3")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(debian ${PROJECT_SOURCE_DIR}/config/debian)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
+    ${debian}/conffiles ${debian}/postinst ${debian}/prerm ${debian}/postrm)
+include(CPack)
