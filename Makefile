@@ -2,7 +2,7 @@
 # make test    every test
 # make bench   timings beside their peers        make judge   diagnose against hidden effects
 # make soak    the long forms: fuzzing, sanitizers, seeds       make install [PREFIX= DESTDIR=]
-# make deb     a Debian package; the same source gives the same bytes
+# make deb     a Debian package, in build/package
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .ONESHELL:
@@ -105,8 +105,10 @@ install: build
 # Dated by the last commit, or by SOURCE_DATE_EPOCH, so that a rebuild gives the same file.
 SOURCE_DATE_EPOCH ?= $(shell git log -1 --format=%ct 2>/dev/null || stat -c %Y CMakeLists.txt)
 export SOURCE_DATE_EPOCH
+deb: PACKAGES += dpkg-dev file
 deb: packages
-	@cmake --preset package >build/configure-package.log
+	@mkdir -p build
+	cmake --preset package >build/configure-package.log
 	cmake --build --preset package -j $(JOBS)
 	cd build/package && cpack >cpack.log || { cat cpack.log >&2; exit 1; }
 	sha256sum *.deb
