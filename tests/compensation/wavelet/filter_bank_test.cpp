@@ -44,5 +44,5 @@ TEST_CASE("an unknown wavelet is answered with the known ones", "[wavelet]") {
   CHECK(bank.error().what == "unknown wavelet 'db11'");
   CHECK(bank.error().advice ==
         "known wavelets: haar db2 db3 db4 db5 db6 db7 db8 db9 db10 sym2 sym3 sym4 sym5 sym6 sym7 "
-        "sym8 coif1 coif2 coif3 coif4 coif5");
+        "sym8 coif1 coif2 coif3 coif4 coif5; is db10 meant?");
 }

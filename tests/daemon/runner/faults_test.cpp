@@ -158,7 +158,7 @@ SCENARIO("air that climbs past every limit: the safe setpoint is confirmed withi
       reading.actual = reading.actual + Kelvin{too_warm_k += 2};
     };
   });
-  bench.when("safe", 5, [&](Duration) { bench.chamber.doctor = nullptr; });
+  bench.when("safe", 4, [&](Duration) { bench.chamber.doctor = nullptr; });
   const Outcome outcome = bench.run();
   REQUIRE(std::holds_alternative<Safe>(outcome.state));
   CHECK(std::get<Safe>(outcome.state).why.find("beyond what boards and chamber allow") !=
