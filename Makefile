@@ -95,6 +95,7 @@ soak: build
 	  $(BUILD)/tests/fuzz/$$fuzz 10000000
 	done
 	$(BUILD)/tests/faults/fault_campaigns $(SEEDS) $(FIRST)
+	$(BUILD)/tests/faults/fault_campaigns clean $(SEEDS) $(FIRST)
 
 # The prefix is compiled in: where profiles are looked for, which programs the unit starts.
 install: build

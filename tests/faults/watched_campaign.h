@@ -26,6 +26,8 @@ class WatchedCampaign {
   [[nodiscard]] Instant lasted() const { return world_.now(); }
   [[nodiscard]] int faults_begun() const { return faults_begun_; }
   [[nodiscard]] int crashes() const { return crashes_; }
+  /// Warnings and errors it told of.
+  [[nodiscard]] int alarms() const { return alarms_; }
   [[nodiscard]] std::size_t dwells() const { return acknowledged_.dwells(); }
 
  private:
@@ -78,6 +80,7 @@ class WatchedCampaign {
   bool panel_touched_ = false;  ///< since the last write
   int faults_begun_ = 0;
   int crashes_ = 0;
+  int alarms_ = 0;
   int failed_starts_ = 0;
 };
 

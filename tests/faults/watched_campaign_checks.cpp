@@ -37,6 +37,7 @@ void WatchedCampaign::wrote(const modbus::Request& request) {
 }
 
 void WatchedCampaign::told(const EventInsert& event) {
+  if (event.severity != "info") ++alarms_;
   host_.step();
   log_.push_back(
       fmt::format("{:.1f} s: {}: {}", double(event.t_ns) * 1e-9, event.kind, event.text));
