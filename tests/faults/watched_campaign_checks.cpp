@@ -37,7 +37,9 @@ void WatchedCampaign::wrote(const modbus::Request& request) {
 }
 
 void WatchedCampaign::told(const EventInsert& event) {
-  if (event.severity != "info") ++alarms_;
+  const bool is_alarm =
+      event.severity != "info" && event.kind != "no_model";  // a plan may hold too little
+  alarms_ += is_alarm;
   host_.step();
   log_.push_back(
       fmt::format("{:.1f} s: {}: {}", double(event.t_ns) * 1e-9, event.kind, event.text));
