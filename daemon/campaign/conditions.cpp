@@ -144,7 +144,16 @@ std::optional<Event> Conditions::while_soaking(Duration t) const {
   if (t - since_ <= seconds(plan_.stability.soak_s_max)) return std::nullopt;
   return Unsettled{fmt::format("not stable after {:.0f} min of soaking ({})",
                                to_seconds(t - since_) / 60,
-                               air_settled ? "a board still drifts" : "the air does not settle")};
+                               air_settled ? "a board still drifts" : why_air_is_unsettled())};
+}
+
+std::string Conditions::why_air_is_unsettled() const {
+  const Kelvin limit = plan_.stability.air_peak_to_peak;
+  const Kelvin seen = air_stability_.peak_to_peak();
+  if (seen <= limit) return "the air does not stay in its band";
+  return fmt::format(
+      "the air goes up and down by {:.2f} K within {:.0f} min, air_peak_to_peak_k allows {:.2f}",
+      seen.value, plan_.stability.air_window_s / 60, limit.value);
 }
 
 std::optional<Event> Conditions::while_logging(const Visit& visit, Duration t) const {

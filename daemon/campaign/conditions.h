@@ -60,6 +60,7 @@ class Conditions {
   [[nodiscard]] std::optional<std::string> missing_board() const;
   [[nodiscard]] std::optional<Event> while_ramping(const Visit& visit, Duration t) const;
   [[nodiscard]] std::optional<Event> while_soaking(Duration t) const;
+  [[nodiscard]] std::string why_air_is_unsettled() const;
   [[nodiscard]] std::optional<Event> while_logging(const Visit& visit, Duration t) const;
   [[nodiscard]] std::optional<Event> while_returning(Duration t) const;
   [[nodiscard]] Duration ramp_bound(Celsius target) const;

@@ -40,10 +40,15 @@ Verdict AirStability::verdict(Duration t) const {
   if (window_.empty()) return Verdict::unstable;
   if (t - window_.back().t > unknown_after_) return Verdict::unknown;
   if (in_band() < seconds(limits_.air_window_s)) return Verdict::unstable;
+  return peak_to_peak() <= limits_.air_peak_to_peak ? Verdict::stable : Verdict::unstable;
+}
+
+Kelvin AirStability::peak_to_peak() const {
+  if (window_.empty()) return Kelvin{0};
   const auto [low, high] =
       std::minmax_element(window_.begin(), window_.end(),
                           [](const Reading& a, const Reading& b) { return a.air < b.air; });
-  return high->air - low->air <= limits_.air_peak_to_peak ? Verdict::stable : Verdict::unstable;
+  return high->air - low->air;
 }
 
 bool can_resolve_slope(Kelvin step, double slope_k_per_h, double window_s) {

@@ -29,6 +29,8 @@ class AirStability {
   [[nodiscard]] Verdict verdict(Duration t) const;
   /// How long the air has been within the band, up to the latest reading; 0 outside it.
   [[nodiscard]] Duration in_band() const;
+  /// Of the readings in the window; 0 without any.
+  [[nodiscard]] Kelvin peak_to_peak() const;
 
  private:
   struct Reading {

@@ -57,6 +57,7 @@ SCENARIO("cycling within the band beyond the peak-to-peak limit is not stable") 
   air.start(Celsius{20});
   for (int i = 0; i <= 200; ++i) air.observe(seconds(5 * i), Celsius{i % 2 ? 20.15 : 19.9});
   CHECK(air.verdict(seconds(1000)) == Verdict::unstable);
+  CHECK(air.peak_to_peak().value == Approx(0.25));
 }
 
 SCENARIO("a new setpoint forgets the old one") {
