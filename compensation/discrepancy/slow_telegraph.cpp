@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "compensation/values/log_gamma.h"
+
 namespace gyrocal {
 namespace {
 
@@ -114,8 +116,8 @@ double gamma_gain(const std::vector<double>& lengths) {
   const double spread = std::log(mean) - mean_log;
   double best = 0;
   for (double shape = 1; shape < 500; shape *= 1.1) {
-    best = std::max(
-        best, n * (shape * std::log(shape) - std::lgamma(shape) - (shape - 1) * (1 + spread)));
+    best = std::max(best,
+                    n * (shape * std::log(shape) - log_gamma(shape) - (shape - 1) * (1 + spread)));
   }
   return best;
 }

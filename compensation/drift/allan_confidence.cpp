@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compensation/values/assert.h"
+#include "compensation/values/log_gamma.h"
 
 namespace gyrocal {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 double lower_gamma(double a, double x) {
   constexpr int most = 10000;
   constexpr double enough = 1e-15;
-  const double front = std::exp(a * std::log(x) - x - std::lgamma(a));
+  const double front = std::exp(a * std::log(x) - x - log_gamma(a));
   if (x < a + 1) {
     double term = 1 / a;
     double sum = term;
@@ -78,7 +79,7 @@ double chi_squared_quantile(double degrees_of_freedom, double probability) {
     const double x = std::exp(at);
     const double excess = lower_gamma(a, x) - probability;
     (excess < 0 ? low : high) = at;
-    const double slope = std::exp(a * at - x - std::lgamma(a));
+    const double slope = std::exp(a * at - x - log_gamma(a));
     const double newton = at - excess / slope;
     // Newton while it stays within what is known, else halves.
     const double next = newton > low && newton < high ? newton : (low + high) / 2;

@@ -1,11 +1,10 @@
 #include "compensation/drift/student_t.h"
 
-#include <math.h>  // lgamma_r
-
 #include <cmath>
 #include <limits>
 
 #include "compensation/values/assert.h"
+#include "compensation/values/log_gamma.h"
 
 namespace gyrocal {
 namespace {
@@ -29,12 +28,6 @@ double beta_fraction(double a, double b, double x) {
     if (std::abs(d * c - 1) < std::numeric_limits<double>::epsilon()) break;
   }
   return result;
-}
-
-/// std::lgamma writes the global signgam, which would race between threads.
-double log_gamma(double x) {
-  int sign = 0;
-  return ::lgamma_r(x, &sign);
 }
 
 double regularised_beta(double a, double b, double x) {
