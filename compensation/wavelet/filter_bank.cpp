@@ -19,15 +19,6 @@ FilterBank from_low_pass(const NamedFilter& filter) {
   return bank;
 }
 
-std::string known_names() {
-  std::string names;
-  for (const FilterBank& bank : filter_banks()) {
-    if (!names.empty()) names += ' ';
-    names += bank.name;
-  }
-  return names;
-}
-
 }  // namespace
 
 const std::vector<FilterBank>& filter_banks() {
@@ -41,15 +32,15 @@ const std::vector<FilterBank>& filter_banks() {
 
 Result<const FilterBank*> find_filter_bank(std::string_view name) {
   const std::string_view wanted = name == "db1" ? "haar" : name;
-  std::vector<std::string_view> known;
   for (const FilterBank& bank : filter_banks()) {
     if (bank.name == wanted) return &bank;
-    known.emplace_back(bank.name);
   }
+  std::vector<std::string_view> known;
+  for (const FilterBank& bank : filter_banks()) known.emplace_back(bank.name);
   const auto near = nearest_name(name, known);
   return fail(Errc::unknown_name, fmt::format("unknown wavelet '{}'", name),
-              "known wavelets: " + known_names() +
-                  (near.empty() ? "" : fmt::format("; is {} meant?", near)));
+              fmt::format("known wavelets: {}{}", fmt::join(known, " "),
+                          near.empty() ? "" : fmt::format("; is {} meant?", near)));
 }
 
 }  // namespace gyrocal
