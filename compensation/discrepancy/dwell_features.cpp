@@ -2,34 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <iterator>
 #include <map>
-#include <unsupported/Eigen/FFT>
 
+#include "compensation/discrepancy/dwell_power.h"
 #include "compensation/discrepancy/median.h"
 
 namespace gyrocal {
 namespace {
 
 constexpr double tail_sd = 4.5;
-constexpr std::size_t lowest_bin = 3;
+constexpr std::ptrdiff_t lowest_bin = 3;
 
 double anscombe(double count) { return 2 * std::sqrt(count + 0.375); }
 
 void spectrum_features(std::span<const double> y, std::span<const std::int64_t> seq, double mean,
                        DwellFeatures& features) {
   const auto n = static_cast<std::size_t>(seq.back() - seq.front() + 1);
-  std::vector<double> even(n + n % 2, 0.0);
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    even[static_cast<std::size_t>(seq[i] - seq.front())] = y[i] - mean;
-  }
-  Eigen::FFT<double> fft;
-  std::vector<std::complex<double>> transform;
-  fft.fwd(transform, even);
-  std::vector<double> power;
-  for (std::size_t k = lowest_bin; k < even.size() / 2; ++k) {
-    power.push_back(std::norm(transform[k]) / static_cast<double>(even.size()) + 1e-300);
-  }
+  const std::size_t length = n + n % 2;
+  std::vector<double> power = dwell_power(y, seq, mean, n, length);
+  power.erase(power.begin(), power.begin() + std::min(lowest_bin, std::ssize(power)));
+  for (double& bin : power) bin = bin / static_cast<double>(length) + 1e-300;
   for (std::size_t band = 0; band < DwellFeatures::bands; ++band) {
     const std::size_t low = band * power.size() / DwellFeatures::bands;
     const std::size_t high = (band + 1) * power.size() / DwellFeatures::bands;

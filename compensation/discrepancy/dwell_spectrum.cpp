@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <unsupported/Eigen/FFT>
 
+#include "compensation/discrepancy/dwell_power.h"
 #include "compensation/discrepancy/median.h"
 
 namespace gyrocal {
@@ -17,18 +16,8 @@ constexpr std::size_t lines_max = 6;
 /// Power per bin from 0 to the folding frequency, scaled so that white noise of variance v has
 /// mean v in every bin.
 std::vector<double> periodogram(const DwellData& dwell, std::size_t n) {
-  std::vector<double> padded(fine * n, 0.0);
-  for (std::size_t i = 0; i < dwell.residual_dps.size(); ++i) {
-    const auto at = static_cast<std::size_t>(dwell.seq[i] - dwell.seq.front());
-    if (at < n) padded[at] = dwell.residual_dps[i];
-  }
-  Eigen::FFT<double> fft;
-  std::vector<std::complex<double>> transform;
-  fft.fwd(transform, padded);
-  std::vector<double> power(fine * n / 2);
-  for (std::size_t k = 0; k < power.size(); ++k) {
-    power[k] = std::norm(transform[k]) / static_cast<double>(n);
-  }
+  std::vector<double> power = dwell_power(dwell.residual_dps, dwell.seq, 0, n, fine * n);
+  for (double& bin : power) bin /= static_cast<double>(n);
   return power;
 }
 

@@ -1,10 +1,9 @@
 #include "compensation/discrepancy/spectra.h"
 
 #include <algorithm>
-#include <complex>
-#include <unsupported/Eigen/FFT>
 
 #include "compensation/discrepancy/dwell_data.h"
+#include "compensation/discrepancy/dwell_power.h"
 #include "compensation/discrepancy/simulated_dwell.h"
 
 namespace gyrocal {
@@ -14,20 +13,13 @@ constexpr std::size_t samples_min = 64;
 constexpr std::size_t points_max = 400;
 constexpr std::uint64_t replicas = 8;  // so that the simulated curve is smoother than the measured
 
-/// Adds |FFT|^2 of n samples, mean taken off, those that did not arrive as the mean.
+/// Adds the power of n samples, mean taken off.
 void add_power(std::span<const double> y, std::span<const std::int64_t> seq, std::size_t n,
                std::vector<double>& power) {
   double mean = 0;
   for (const double value : y) mean += value / static_cast<double>(y.size());
-  std::vector<double> padded(n, 0.0);
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    const auto at = static_cast<std::size_t>(seq[i] - seq.front());
-    if (at < n) padded[at] = y[i] - mean;
-  }
-  Eigen::FFT<double> fft;
-  std::vector<std::complex<double>> transform;
-  fft.fwd(transform, padded);
-  for (std::size_t k = 0; k < power.size(); ++k) power[k] += std::norm(transform[k]);
+  const std::vector<double> added = dwell_power(y, seq, mean, n, n);
+  for (std::size_t k = 0; k < power.size(); ++k) power[k] += added[k];
 }
 
 /// Means over neighbouring bins, from the first that the mean taken off has not emptied.

@@ -2,6 +2,7 @@
 
 #include "compensation/rig/rig_model.h"
 #include "compensation/rig/session_plan.h"
+#include "compensation/values/records.h"
 
 namespace gyrocal {
 
@@ -19,6 +20,15 @@ inline rig::SessionPlan short_up_down() {
   plan.sweep = rig::Sweep::up_down;
   plan.samples_per_dwell = 1000;
   return plan;
+}
+
+/// The session with a drift added that no effect of the catalogue makes.
+/// @param drift_dps  called with t_s.
+template <class Drift>
+Session with_drift(Session session, const Drift& drift_dps) {
+  for (MonitorRow& row : session.monitor) row.gyro_dps += drift_dps(row.t_s);
+  for (SessionSample& sample : session.samples) sample.gyro_dps += drift_dps(sample.t_s);
+  return session;
 }
 
 }  // namespace gyrocal

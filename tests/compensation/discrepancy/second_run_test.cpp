@@ -14,14 +14,6 @@ namespace {
 
 Session quiet_session() { return rig::simulate_session(quiet_rig(), short_up_down(), 21); }
 
-template <class Drift>
-Session with_drift(const Drift& drift_dps) {
-  Session session = quiet_session();
-  for (MonitorRow& row : session.monitor) row.gyro_dps += drift_dps(row.t_s);
-  for (SessionSample& sample : session.samples) sample.gyro_dps += drift_dps(sample.t_s);
-  return session;
-}
-
 Session with_effect(const rig::EffectUse& use) {
   rig::RigModel model = quiet_rig();
   model.effects.push_back(use);
@@ -57,7 +49,7 @@ TEST_CASE("a named effect is in the model of the second run") {
 }
 
 TEST_CASE("a drift with a time scale of its own is kept as a term over time") {
-  const auto first = told_then_settled(with_drift([](double t_s) {
+  const auto first = told_then_settled(with_drift(quiet_session(), [](double t_s) {
     return 0.01 * std::sin(2 * std::numbers::pi * (1e-4 + 4e-9 * t_s) * t_s);
   }));
   CHECK(first.verdict == Verdict::unexplained);
@@ -86,8 +78,9 @@ TEST_CASE("a curve over temperature is kept with its fitted size") {
 }
 
 TEST_CASE("a line of no known machine is kept as a phase that turns with it") {
-  const auto first = told_then_settled(
-      with_drift([](double t_s) { return 0.03 * std::sin(2 * std::numbers::pi * 13.7 * t_s); }));
+  const auto first = told_then_settled(with_drift(quiet_session(), [](double t_s) {
+    return 0.03 * std::sin(2 * std::numbers::pi * 13.7 * t_s);
+  }));
   CHECK(first.verdict == Verdict::unexplained);
   REQUIRE(first.model.unexplained.size() == 1);
   CHECK(rig::is_line(first.model.unexplained[0]));

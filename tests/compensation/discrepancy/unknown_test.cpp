@@ -11,14 +11,7 @@ using namespace gyrocal;
 
 namespace {
 
-/// A quiet session with a drift added that no effect of the catalogue makes.
-template <class Drift>
-Session with_drift(const Drift& drift_dps) {
-  Session session = rig::simulate_session(quiet_rig(), short_up_down(), 11);
-  for (MonitorRow& row : session.monitor) row.gyro_dps += drift_dps(row.t_s);
-  for (SessionSample& sample : session.samples) sample.gyro_dps += drift_dps(sample.t_s);
-  return session;
-}
+Session quiet_session() { return rig::simulate_session(quiet_rig(), short_up_down(), 11); }
 
 void check_told_as_unknown(const Session& session) {
   const auto found = diagnose(session, {}, {});
@@ -30,14 +23,14 @@ void check_told_as_unknown(const Session& session) {
 }  // namespace
 
 TEST_CASE("a drift that sweeps in frequency is told as unknown, not as a random walk") {
-  check_told_as_unknown(with_drift([](double t_s) {
+  check_told_as_unknown(with_drift(quiet_session(), [](double t_s) {
     return 0.01 * std::sin(2 * std::numbers::pi * (1e-4 + 4e-9 * t_s) * t_s);
   }));
 }
 
 TEST_CASE("pulses by the clock are told as unknown, not as a telegraph") {
-  check_told_as_unknown(
-      with_drift([](double t_s) { return std::fmod(t_s, 2200.0) < 500 ? 0.01 : 0.0; }));
+  check_told_as_unknown(with_drift(
+      quiet_session(), [](double t_s) { return std::fmod(t_s, 2200.0) < 500 ? 0.01 : 0.0; }));
 }
 
 TEST_CASE("a random walk and flicker keep their names") {
