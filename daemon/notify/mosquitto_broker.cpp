@@ -7,11 +7,11 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "daemon/notify/broker.h"
 #include "daemon/status/blocked_signals.h"
+#include "daemon/status/json_text.h"
 
 namespace gyrocal::notify {
 namespace {
@@ -149,9 +149,7 @@ class MosquittoBroker final : public Broker {
                                       {"severity", event.severity},
                                       {"kind", event.kind},
                                       {"text", event.text}};
-    connection_->publish(
-        "event", json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
-        at_least_once, !retained);
+    connection_->publish("event", status::json_text(json), at_least_once, !retained);
   }
 
  private:

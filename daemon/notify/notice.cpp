@@ -2,8 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
-
+#include "daemon/status/json_text.h"
 #include "daemon/status/status_json.h"
 
 namespace gyrocal::notify {
@@ -20,7 +19,7 @@ std::string notice_json(const Notice& notice, const status::View& view, const st
                   {"advice", notice.advice},
                   {"withheld", withheld},
                   {"status", Json::parse(status::status_json(view), nullptr, false)}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return status::json_text(json) + "\n";
 }
 
 std::string subject(const Notice& notice, const std::string& campaign) {

@@ -104,11 +104,10 @@ void Working::work() {
 
 void Working::look() {
   const auto content = mailbox_.take();
+  live_.report(content, now_s());
   for (const EventInsert& event : content.events) {
-    live_.report(event);
     if (broker_) broker_->event(event);
   }
-  if (content.snapshot) live_.report(*content.snapshot, now_s());
   const status::View& view = live_.at(clock_.utc_ns(), now_s());
   for (const Notice& notice : watcher_.look(view, now_s())) {
     if (!settings_.notify.hook || !outbox_.admits(notice.kind, now_s())) continue;

@@ -4,17 +4,13 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "daemon/status/json_text.h"
 
 namespace gyrocal::status {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Texts of devices may hold any byte; a client shall get valid JSON all the same.
-std::string dumped(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -97,7 +93,7 @@ std::string status_json(const View& view) {
     json["setpoints"] = view.facts.setpoints_c.size();
     json["setpoints_done"] = nullptr;
   }
-  return dumped(json);
+  return json_text(json);
 }
 
 std::string events_json(const View& view) {
@@ -110,7 +106,7 @@ std::string events_json(const View& view) {
                               {"kind", event.kind},
                               {"text", event.text}});
   }
-  return dumped(json);
+  return json_text(json);
 }
 
 std::string history_json(const View& view) {
@@ -142,7 +138,7 @@ std::string history_json(const View& view) {
     column("slope_k_per_h", &Point::Board::slope_k_per_h);
     json["boards"].push_back(std::move(board));
   }
-  return dumped(json);
+  return json_text(json);
 }
 
 }  // namespace gyrocal::status

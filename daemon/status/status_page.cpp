@@ -73,11 +73,7 @@ class Serving final : public StatusPage {
   std::unique_ptr<HttpServer> server_;  // goes first: its threads read the feed
 };
 
-void Serving::gather() {
-  const auto content = mailbox_.take();
-  for (const EventInsert& event : content.events) live_.report(event);
-  if (content.snapshot) live_.report(*content.snapshot, machine_s(clock_));
-}
+void Serving::gather() { live_.report(mailbox_.take(), machine_s(clock_)); }
 
 void Serving::look_back(CampaignId campaign, Duration t) {
   auto past = read_past(facts_, campaign, t);

@@ -87,6 +87,11 @@ void LiveStatus::report(const EventInsert& event) {
   keep_latest(view_.events);
 }
 
+void LiveStatus::report(const Mailbox::Content& content, double machine_s) {
+  for (const EventInsert& event : content.events) report(event);
+  if (content.snapshot) report(*content.snapshot, machine_s);
+}
+
 const View& LiveStatus::at(std::int64_t utc_ns, double machine_s) {
   if (!first_s_) first_s_ = machine_s;
   view_.utc_ns = utc_ns;

@@ -10,6 +10,7 @@
 #include "daemon/status/concern.h"
 #include "daemon/status/facts.h"
 #include "daemon/status/history.h"
+#include "daemon/status/mailbox.h"
 
 namespace gyrocal::status {
 
@@ -59,6 +60,8 @@ class LiveStatus {
   void remember(std::vector<EventInsert> events, const std::vector<Point>& history);
   void report(const runner::Snapshot& now, double machine_s);
   void report(const EventInsert& event);
+  /// All that a mailbox held.
+  void report(const Mailbox::Content& content, double machine_s);
   /// @param machine_s  the machine's steady time.
   [[nodiscard]] const View& at(std::int64_t utc_ns, double machine_s);
 
