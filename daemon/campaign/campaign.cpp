@@ -171,10 +171,7 @@ const Visit* visit_of(const State& state) {
       state);
 }
 
-bool ended(const State& state) {
-  return std::holds_alternative<Finished>(state) || std::holds_alternative<Aborted>(state) ||
-         std::holds_alternative<Safe>(state);
-}
+bool ended(const State& state) { return has_ended(name(state)); }
 
 const char* name(const State& state) {
   return std::visit(
@@ -186,6 +183,21 @@ const char* name(const State& state) {
           [](const Analysing&) { return "analysing"; }, [](const Finished&) { return "finished"; },
           [](const Aborted&) { return "aborted"; }, [](const Safe&) { return "safe"; }},
       state);
+}
+
+const std::array<std::string_view, std::variant_size_v<State>>& state_names() {
+  static const auto names = []<std::size_t... i>(std::index_sequence<i...>) {
+    return std::array<std::string_view, sizeof...(i)>{name(State(std::in_place_index<i>))...};
+  }
+  (std::make_index_sequence<std::variant_size_v<State>>{});
+  return names;
+}
+
+bool has_ended(std::string_view state_name) {
+  for (const State& last : {State(Finished{}), State(Aborted{}), State(Safe{})}) {
+    if (state_name == name(last)) return true;
+  }
+  return false;
 }
 
 std::string describe(const Plan& plan, const State& state) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -130,6 +132,12 @@ inline constexpr char skipped[] = "skipped by an operator";
 
 /// "soaking": as stored in campaign.state and shown.
 [[nodiscard]] const char* name(const State& state);
+
+/// The names of all states, in the order of State.
+[[nodiscard]] const std::array<std::string_view, std::variant_size_v<State>>& state_names();
+
+/// ended(), by a state's name; false for a name that is none.
+[[nodiscard]] bool has_ended(std::string_view state_name);
 
 /// "soaking at 20.0 degC (point 13 of 25, attempt 2)": a sentence's subject.
 [[nodiscard]] std::string describe(const Plan& plan, const State& state);

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "daemon/campaign/campaign.h"
 #include "daemon/cli/outcome.h"
 #include "daemon/runner/control_socket.h"
 #include "daemon/runner/progress.h"
@@ -139,10 +140,7 @@ Result<std::string> status_line(const std::string& answer, std::optional<std::si
   return line;
 }
 
-bool answer_has_ended(const std::string& answer) {
-  const std::string state = state_of(answer);
-  return state == "finished" || state == "aborted" || state == "safe";
-}
+bool answer_has_ended(const std::string& answer) { return campaign::has_ended(state_of(answer)); }
 
 int watch_campaign(const std::string& socket, bool as_json) {
   const runner::StopSignals signals;

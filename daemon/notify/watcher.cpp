@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "daemon/campaign/campaign.h"
 #include "daemon/runner/progress.h"
 #include "daemon/status/status_json.h"
 
@@ -15,15 +16,11 @@ using status::View;
 
 /// The campaign's loop turns many times a second.
 constexpr double silent_s = 60;
-/// The chamber is polled every few seconds; an answer older than these polls is an outage's begin.
-constexpr double stale_share = 0.5;
 
 /// What is away, as a sentence; empty: nothing is.
 std::string what_is_away(const View& view) {
   const runner::Snapshot& now = *view.now;
-  if (to_seconds(now.chamber_age) > stale_share * view.facts.chamber_stale_s) {
-    return "the chamber does not answer";
-  }
+  if (status::chamber_is_stale(view.facts, now)) return "the chamber does not answer";
   for (const auto& board : now.each_board) {
     if (!board.present) return fmt::format("board {} is away ({})", board.name, board.trouble);
   }
@@ -43,7 +40,7 @@ std::vector<Notice> Watcher::look(const View& view, double machine_s) {
 }
 
 std::optional<Notice> Watcher::ending(const View& view) {
-  if (!status::campaign_has_ended(view.now->state)) return std::nullopt;
+  if (!campaign::has_ended(view.now->state)) return std::nullopt;
   ended_ = true;
   return Notice{view.now->state == "safe" ? "trip" : "ended", view.concern.severity,
                 view.concern.sentence, view.concern.advice};

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "daemon/campaign/campaign.h"
 #include "daemon/runner/progress.h"
 #include "daemon/status/view.h"
 
@@ -29,7 +30,7 @@ std::optional<Concern> silence(const View& view) {
                    "Is everything switched on and plugged in? gyrocal check " +
                        view.facts.campaign_path + " says what answers."};
   }
-  if (campaign_has_ended(view.now->state)) return std::nullopt;
+  if (campaign::has_ended(view.now->state)) return std::nullopt;
   return Concern{
       "error",
       fmt::format("The daemon has not reported for {:.0f} s of the machine's time.", view.silent_s),
@@ -137,10 +138,6 @@ std::optional<Concern> told_lately(const View& view) {
 }
 
 }  // namespace
-
-bool campaign_has_ended(const std::string& state) {
-  return state == "finished" || state == "aborted" || state == "safe";
-}
 
 Concern concern_of(const View& view) {
   if (auto found = silence(view)) return *found;

@@ -13,9 +13,6 @@ struct Concern {
   std::string advice;  ///< empty: nothing is to be done
 };
 
-/// By the name of its state: nothing follows.
-[[nodiscard]] bool campaign_has_ended(const std::string& state);
-
 /// The worst of what is known; Nothing is wrong, if nothing is.
 [[nodiscard]] Concern concern_of(const View& view);
 

@@ -2,9 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <array>
 #include <cmath>
 #include <string_view>
+
+#include "daemon/campaign/campaign.h"
 
 namespace gyrocal::status {
 namespace {
@@ -48,9 +49,6 @@ class Text {
   std::string_view name_;
   std::string text_;
 };
-
-constexpr std::array states{"preflight", "ramping",   "soaking",  "logging", "paused", "holding",
-                            "returning", "analysing", "finished", "aborted", "safe"};
 
 std::string label(const BoardView& board) {
   return fmt::format("board=\"{}\"", quoted(board.name));
@@ -99,7 +97,7 @@ std::string metrics_text(const View& view) {
   text.value(1, fmt::format("version=\"{}\"", quoted(view.facts.software_version)));
   text.family("gyrocal_campaign_state", "gauge", "1 for the present state, 0 for every other");
   const std::string state = view.now ? view.now->state : "preflight";
-  for (const char* name : states) {
+  for (const std::string_view name : campaign::state_names()) {
     text.value(state == name ? 1 : 0, fmt::format("state=\"{}\"", name));
   }
   text.gauge("gyrocal_concern_level", "0 nothing is wrong, 1 a warning, 2 an error",

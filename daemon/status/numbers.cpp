@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "daemon/campaign/campaign.h"
 #include "daemon/report/page.h"
 #include "daemon/runner/progress.h"
 #include "daemon/status/status_json.h"
@@ -62,7 +63,7 @@ std::string setpoint_tile(const runner::Snapshot& now) {
 
 std::string eta_tile(const View& view) {
   const runner::Snapshot& now = *view.now;
-  if (campaign_has_ended(now.state)) {
+  if (campaign::has_ended(now.state)) {
     return tile("Campaign time", clock_text(now.t), "ended");
   }
   const std::string note = fmt::format(
