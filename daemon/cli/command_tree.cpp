@@ -33,6 +33,13 @@ std::vector<const CLI::App*> subcommands(const CLI::App& command) {
   return command.get_subcommands([](const CLI::App*) { return true; });
 }
 
+const CLI::App* subcommand_named(const CLI::App& command, const std::string& name) {
+  for (const CLI::App* each : subcommands(command)) {
+    if (each->get_name() == name) return each;
+  }
+  return nullptr;
+}
+
 std::vector<const CLI::Option*> options(const CLI::App& command) {
   return command.get_options([](const CLI::Option*) { return true; });
 }

@@ -15,6 +15,8 @@ struct Described {
 
 /// The commands below one, in the order they were added.
 [[nodiscard]] std::vector<const CLI::App*> subcommands(const CLI::App& command);
+/// The one of that name below a command; nullptr: none.
+[[nodiscard]] const CLI::App* subcommand_named(const CLI::App& command, const std::string& name);
 [[nodiscard]] std::vector<const CLI::Option*> options(const CLI::App& command);
 
 /// The words that call it: {"gyrocal", "rig", "serve"}.

@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -33,14 +32,12 @@ int write_all(const CLI::App& root, const std::string& folder) {
 int print_one(const CLI::App& root, const std::vector<std::string>& words) {
   const CLI::App* at = &root;
   for (const auto& word : words) {
-    const auto below = subcommands(*at);
-    const auto next = std::find_if(below.begin(), below.end(),
-                                   [&](const CLI::App* each) { return each->get_name() == word; });
-    if (next == below.end()) {
+    const CLI::App* const next = subcommand_named(*at, word);
+    if (next == nullptr) {
       return report({Errc::unknown_name, fmt::format("no command is named \"{}\"", word),
                      "gyrocal --help lists them"});
     }
-    at = *next;
+    at = next;
   }
   fmt::print("{}", manual_page(*at, GYROCAL_VERSION));
   return exit_done;

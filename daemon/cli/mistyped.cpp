@@ -1,6 +1,7 @@
 #include "daemon/cli/mistyped.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "compensation/values/nearest_name.h"
 #include "daemon/cli/command_tree.h"
@@ -10,18 +11,9 @@ namespace {
 
 std::string sentence(const char* what, const std::string& word, const CLI::App& command,
                      const std::vector<std::string>& known) {
-  std::string path;
-  for (const auto& part : path_of(command)) path += (path.empty() ? "" : " ") + part;
   const auto near = nearest_name(word, std::vector<std::string_view>(known.begin(), known.end()));
-  return fmt::format("{} has no {} \"{}\"{}", path, what, word,
+  return fmt::format("{} has no {} \"{}\"{}", fmt::join(path_of(command), " "), what, word,
                      near.empty() ? "" : fmt::format("; is {} meant?", near));
-}
-
-const CLI::App* child(const CLI::App& command, const std::string& name) {
-  for (const CLI::App* each : subcommands(command)) {
-    if (each->get_name() == name) return each;
-  }
-  return nullptr;
 }
 
 bool has_positional(const CLI::App& command) {
@@ -58,7 +50,7 @@ std::string mistyped(const CLI::App& root, const std::vector<std::string>& words
         return sentence("option", name, *at, known);
       }
       if (takes_value(*option) && name == word) ++i;  // what follows is its value
-    } else if (const CLI::App* next = child(*at, word)) {
+    } else if (const CLI::App* next = subcommand_named(*at, word)) {
       at = next;
     } else if (!word.starts_with('-')) {
       if (auto told = mistyped_command(*at, word); !told.empty()) return told;
