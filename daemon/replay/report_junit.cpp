@@ -1,40 +1,26 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "daemon/replay/replay.h"
+#include "daemon/report/page.h"
 
 namespace gyrocal::replay {
 namespace {
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;  // XML 1.0 has no others
-    }
-  }
-  return out;
+/// XML 1.0 has no control characters.
+std::string xml(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  return report::escaped(text);
 }
 
 std::string test_case(const std::string& suite, const std::string& name, const std::string& failure,
                       const std::string& details) {
-  const auto head =
-      fmt::format("  <testcase classname=\"{}\" name=\"{}\">", escaped(suite), escaped(name));
+  const auto head = fmt::format("  <testcase classname=\"{}\" name=\"{}\">", xml(suite), xml(name));
   if (failure.empty()) return head + "</testcase>\n";
-  return fmt::format("{}<failure message=\"{}\">{}</failure></testcase>\n", head, escaped(failure),
-                     escaped(details));
+  return fmt::format("{}<failure message=\"{}\">{}</failure></testcase>\n", head, xml(failure),
+                     xml(details));
 }
 
 }  // namespace
