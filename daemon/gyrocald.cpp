@@ -2,12 +2,12 @@
 // campaign that has tripped, or has ended, it leaves alone.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 
 #include "config/daemon_settings.h"
+#include "daemon/cli/command_line.h"
 #include "daemon/cli/outcome.h"
 #include "daemon/notify/notifier.h"
 #include "daemon/runner/progress.h"
@@ -95,7 +95,8 @@ int run(runner::RunRequest request, const DaemonSettings& settings) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"gyrocald: runs one calibration campaign, and goes on with it after a crash"};
+  cli::Command app{"gyrocald: runs one calibration campaign, and goes on with it after a crash",
+                   "gyrocald"};
   runner::RunRequest request;
   std::string database;
   std::string settings_path;
@@ -104,11 +105,9 @@ int main(int argc, char** argv) {
   app.add_option("--settings", settings_path,
                  fmt::format("status page and messages; default: {} beside the campaign file",
                              daemon_settings_name));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? cli::exit_done : cli::exit_bad_input;
-  }
+  const cli::Parsed parsed = app.parse(argc, argv);
+  if (parsed == cli::Parsed::helped) return cli::exit_done;
+  if (parsed == cli::Parsed::refused) return cli::exit_bad_input;
   if (!database.empty()) request.database = database;
   request.resume = true;
   request.unattended = true;

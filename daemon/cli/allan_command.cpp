@@ -210,7 +210,7 @@ int allan(const AllanOptions& options) {
 
 }  // namespace
 
-void add_allan(CLI::App& root, Chosen& chosen) {
+void add_allan(Command& root, Chosen& chosen) {
   const auto options = std::make_shared<AllanOptions>();
   auto* command = root.add_subcommand(
       "allan",

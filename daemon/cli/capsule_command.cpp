@@ -78,7 +78,7 @@ int run(Options options) {
 
 }  // namespace
 
-void add_capsule(CLI::App& root, Chosen& chosen) {
+void add_capsule(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "capsule",
       "Examples: gyrocal capsule weekend.db --out weekend.capsule\n"

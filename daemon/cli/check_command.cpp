@@ -39,7 +39,7 @@ int check(const Options& options) {
 
 }  // namespace
 
-void add_check(CLI::App& root, Chosen& chosen) {
+void add_check(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand("check",
                                       "Example: gyrocal check config/campaigns/weekend.toml\n"
                                       "Reads chamber and boards and prints plan, limits, duration "

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
+
+#include "daemon/cli/command_line.h"
 
 namespace gyrocal::cli {
 
@@ -11,32 +12,32 @@ using Chosen = std::function<int()>;
 
 /// Adds one subcommand to `root`; its callback puts what is to be done into `chosen`. Examples
 /// stand first in the subcommand's description.
-using AddCommand = void (*)(CLI::App& root, Chosen& chosen);
+using AddCommand = void (*)(Command& root, Chosen& chosen);
 
 /// Every subcommand of `gyrocal`, in the order `--help` shows them.
-void add_all_commands(CLI::App& root, Chosen& chosen);
+void add_all_commands(Command& root, Chosen& chosen);
 
-void add_allan(CLI::App& root, Chosen& chosen);
-void add_capsule(CLI::App& root, Chosen& chosen);
-void add_check(CLI::App& root, Chosen& chosen);
-void add_completion(CLI::App& root, Chosen& chosen);
-void add_compensate(CLI::App& root, Chosen& chosen);
-void add_db(CLI::App& root, Chosen& chosen);
-void add_denoise(CLI::App& root, Chosen& chosen);
-void add_diagnose(CLI::App& root, Chosen& chosen);
-void add_export(CLI::App& root, Chosen& chosen);
-void add_firmware(CLI::App& root, Chosen& chosen);
-void add_fit(CLI::App& root, Chosen& chosen);
-void add_import(CLI::App& root, Chosen& chosen);
-void add_make_safe(CLI::App& root, Chosen& chosen);
-void add_man(CLI::App& root, Chosen& chosen);
-void add_paper(CLI::App& root, Chosen& chosen);
-void add_plan(CLI::App& root, Chosen& chosen);
-void add_replay(CLI::App& root, Chosen& chosen);
-void add_report(CLI::App& root, Chosen& chosen);
-void add_rig(CLI::App& root, Chosen& chosen);
-void add_run(CLI::App& root, Chosen& chosen);
-void add_status(CLI::App& root, Chosen& chosen);  ///< and pause, resume, skip, abort
-void add_version(CLI::App& root, Chosen& chosen);
+void add_allan(Command& root, Chosen& chosen);
+void add_capsule(Command& root, Chosen& chosen);
+void add_check(Command& root, Chosen& chosen);
+void add_completion(Command& root, Chosen& chosen);
+void add_compensate(Command& root, Chosen& chosen);
+void add_db(Command& root, Chosen& chosen);
+void add_denoise(Command& root, Chosen& chosen);
+void add_diagnose(Command& root, Chosen& chosen);
+void add_export(Command& root, Chosen& chosen);
+void add_firmware(Command& root, Chosen& chosen);
+void add_fit(Command& root, Chosen& chosen);
+void add_import(Command& root, Chosen& chosen);
+void add_make_safe(Command& root, Chosen& chosen);
+void add_man(Command& root, Chosen& chosen);
+void add_paper(Command& root, Chosen& chosen);
+void add_plan(Command& root, Chosen& chosen);
+void add_replay(Command& root, Chosen& chosen);
+void add_report(Command& root, Chosen& chosen);
+void add_rig(Command& root, Chosen& chosen);
+void add_run(Command& root, Chosen& chosen);
+void add_status(Command& root, Chosen& chosen);  ///< and pause, resume, skip, abort
+void add_version(Command& root, Chosen& chosen);
 
 }  // namespace gyrocal::cli

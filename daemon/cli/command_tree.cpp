@@ -23,48 +23,39 @@ Described described(const std::string& description) {
     if (in_examples) {
       parts.examples.push_back(trimmed(marked ? line.substr(line.find(' ')) : line));
     } else {
-      parts.text += (parts.text.empty() ? "" : " ") + trimmed(line);
+      if (!parts.text.empty()) parts.text += ' ';
+      parts.text += trimmed(line);
     }
   }
   return parts;
 }
 
-std::vector<const CLI::App*> subcommands(const CLI::App& command) {
-  return command.get_subcommands([](const CLI::App*) { return true; });
-}
-
-const CLI::App* subcommand_named(const CLI::App& command, const std::string& name) {
-  for (const CLI::App* each : subcommands(command)) {
-    if (each->get_name() == name) return each;
+const Command* subcommand_named(const Command& command, const std::string& name) {
+  for (const auto& each : command.subcommands()) {
+    if (each->name() == name) return each.get();
   }
   return nullptr;
 }
 
-std::vector<const CLI::Option*> options(const CLI::App& command) {
-  return command.get_options([](const CLI::Option*) { return true; });
-}
-
-std::vector<std::string> path_of(const CLI::App& command) {
+std::vector<std::string> path_of(const Command& command) {
   std::vector<std::string> words;
-  for (const CLI::App* at = &command; at->get_parent() != nullptr; at = at->get_parent()) {
-    words.push_back(at->get_name());
+  for (const Command* at = &command; at->parent() != nullptr; at = at->parent()) {
+    words.push_back(at->name());
   }
   words.emplace_back("gyrocal");
   std::reverse(words.begin(), words.end());
   return words;
 }
 
-std::vector<std::string> flags_of(const CLI::Option& option) {
+std::vector<std::string> flags_of(const Option& option) {
   std::vector<std::string> flags;
-  for (const auto& name : option.get_lnames()) flags.push_back("--" + name);
-  for (const auto& name : option.get_snames()) flags.push_back("-" + name);
+  for (const auto& name : option.long_names()) flags.push_back("--" + name);
+  for (const auto& name : option.short_names()) flags.push_back("-" + name);
   return flags;
 }
 
-bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
-
-std::vector<std::string> choices_of(const CLI::Option& option) {
-  const auto type = option.get_type_name();  // "TEXT:{x,y,z}"
+std::vector<std::string> choices_of(const Option& option) {
+  const auto type = option.type_name();  // "TEXT:{x,y,z}"
   const auto open = type.find('{');
   const auto close = type.find('}');
   if (open == std::string::npos || close == std::string::npos) return {};

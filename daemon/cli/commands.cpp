@@ -2,7 +2,7 @@
 
 namespace gyrocal::cli {
 
-void add_all_commands(CLI::App& root, Chosen& chosen) {
+void add_all_commands(Command& root, Chosen& chosen) {
   constexpr AddCommand all[] = {
       add_check,    add_run,    add_status,     add_make_safe,                 //
       add_fit,      add_paper,  add_plan,       add_compensate, add_firmware,  //

@@ -102,7 +102,7 @@ int compensate(const CompensateOptions& options) {
 
 }  // namespace
 
-void add_compensate(CLI::App& root, Chosen& chosen) {
+void add_compensate(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "compensate",
       "Example: gyrocal compensate --model models.json < log.csv > compensated.csv\n"

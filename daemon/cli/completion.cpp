@@ -9,29 +9,29 @@ namespace gyrocal::cli {
 namespace {
 
 /// "gyrocal rig serve", the key of every table below.
-std::string key(const CLI::App& command) {
+std::string key(const Command& command) {
   return fmt::format("{}", fmt::join(path_of(command), " "));
 }
 
-std::vector<const CLI::App*> all_commands(const CLI::App& root) {
-  std::vector<const CLI::App*> all{&root};
-  for (const CLI::App* each : subcommands(root)) {
-    for (const CLI::App* below : all_commands(*each)) all.push_back(below);
+std::vector<const Command*> all_commands(const Command& root) {
+  std::vector<const Command*> all{&root};
+  for (const auto& each : root.subcommands()) {
+    for (const Command* below : all_commands(*each)) all.push_back(below);
   }
   return all;
 }
 
-std::vector<std::string> long_flags(const CLI::Option& option) {
+std::vector<std::string> long_flags(const Option& option) {
   std::vector<std::string> flags;
-  for (const auto& name : option.get_lnames()) flags.push_back("--" + name);
+  for (const auto& name : option.long_names()) flags.push_back("--" + name);
   return flags;
 }
 
 /// What may follow a command: its commands, its options.
-std::string words_after(const CLI::App& command) {
+std::string words_after(const Command& command) {
   std::vector<std::string> words;
-  for (const CLI::App* each : subcommands(command)) words.push_back(each->get_name());
-  for (const CLI::Option* option : options(command)) {
+  for (const auto& each : command.subcommands()) words.push_back(each->name());
+  for (const auto& option : command.options()) {
     for (const auto& flag : long_flags(*option)) words.push_back(flag);
   }
   return fmt::format("{}", fmt::join(words, " "));
@@ -39,13 +39,13 @@ std::string words_after(const CLI::App& command) {
 
 /// The shell functions both bash and zsh run: words after a command, values of an option ("file"
 /// where any will do, empty for a flag).
-std::string tables(const CLI::App& root) {
+std::string tables(const Command& root) {
   std::string words("_gyrocal_words() {\n  case \"$1\" in\n");
   std::string values("_gyrocal_values() {\n  case \"$1\" in\n");
-  for (const CLI::App* command : all_commands(root)) {
+  for (const Command* command : all_commands(root)) {
     words += fmt::format("    '{}') echo '{}' ;;\n", key(*command), words_after(*command));
-    for (const CLI::Option* option : options(*command)) {
-      if (!takes_value(*option) || option->get_positional()) continue;
+    for (const auto& option : command->options()) {
+      if (!option->takes_value() || option->is_positional()) continue;
       const auto choices = choices_of(*option);
       values += fmt::format("    '{} {}') echo '{}' ;;\n", key(*command),
                             fmt::join(flags_of(*option), fmt::format("'|'{} ", key(*command))),
@@ -110,14 +110,14 @@ std::string quoted(const std::string& text) {
 }
 
 /// When a fish rule holds: the words of the command were typed, none of its own commands yet.
-std::string fish_condition(const CLI::App& command) {
+std::string fish_condition(const Command& command) {
   std::string condition;
   const auto path = path_of(command);
   for (std::size_t i = 1; i < path.size(); ++i) {
     condition += fmt::format("__fish_seen_subcommand_from {}; and ", path[i]);
   }
   std::vector<std::string> below;
-  for (const CLI::App* each : subcommands(command)) below.push_back(each->get_name());
+  for (const auto& each : command.subcommands()) below.push_back(each->name());
   return condition +
          (below.empty() ? "true"
                         : fmt::format("not __fish_seen_subcommand_from {}", fmt::join(below, " ")));
@@ -125,33 +125,32 @@ std::string fish_condition(const CLI::App& command) {
 
 }  // namespace
 
-std::string bash_completion(const CLI::App& root) {
+std::string bash_completion(const Command& root) {
   return "# bash completion for gyrocal, written by gyrocal completion bash\n" + tables(root) +
          walk + bash_end;
 }
 
-std::string zsh_completion(const CLI::App& root) {
+std::string zsh_completion(const Command& root) {
   return "#compdef gyrocal\n# written by gyrocal completion zsh\n" + tables(root) + walk + zsh_end;
 }
 
-std::string fish_completion(const CLI::App& root) {
+std::string fish_completion(const Command& root) {
   std::string text("# fish completion for gyrocal, written by gyrocal completion fish\n");
-  for (const CLI::App* command : all_commands(root)) {
+  for (const Command* command : all_commands(root)) {
     const auto rule = "complete -c gyrocal -n " + quoted(fish_condition(*command));
-    for (const CLI::App* each : subcommands(*command)) {
-      const auto parts = described(each->get_description());
-      text += fmt::format("{} -f -a {} -d {}\n", rule, each->get_name(),
+    for (const auto& each : command->subcommands()) {
+      const auto parts = described(each->description());
+      text += fmt::format("{} -f -a {} -d {}\n", rule, each->name(),
                           quoted(parts.text.substr(0, parts.text.find('.'))));
     }
-    for (const CLI::Option* option : options(*command)) {
-      for (const auto& name : option->get_lnames()) {
+    for (const auto& option : command->options()) {
+      for (const auto& name : option->long_names()) {
         const auto choices = choices_of(*option);
-        const auto value = !takes_value(*option) ? std::string()
+        const auto value = !option->takes_value() ? std::string()
                            : choices.empty()
                                ? std::string(" -r")
                                : " -x -a " + quoted(fmt::format("{}", fmt::join(choices, " ")));
-        text +=
-            fmt::format("{} -l {}{} -d {}\n", rule, name, value, quoted(option->get_description()));
+        text += fmt::format("{} -l {}{} -d {}\n", rule, name, value, quoted(option->description()));
       }
     }
   }

@@ -8,7 +8,7 @@
 
 namespace gyrocal::cli {
 
-void add_completion(CLI::App& root, Chosen& chosen) {
+void add_completion(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "completion",
       "Example: gyrocal completion bash > ~/.local/share/bash-completion/completions/gyrocal\n"
@@ -17,7 +17,7 @@ void add_completion(CLI::App& root, Chosen& chosen) {
   const auto shell = std::make_shared<std::string>();
   command->add_option("shell", *shell, "bash, zsh or fish")
       ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+      ->one_of({"bash", "zsh", "fish"});
   command->callback([shell, &root, &chosen] {
     chosen = [shell, &root] {
       fmt::print("{}", *shell == "bash"  ? bash_completion(root)

@@ -31,7 +31,7 @@ Result<Axis> choose_axis(const BoardRow& board, const DatabaseChoice& choice) {
 
 }  // namespace
 
-void add_choice_options(CLI::App& command, DatabaseChoice& choice) {
+void add_choice_options(Command& command, DatabaseChoice& choice) {
   command.add_option("--campaign", choice.campaign, "number of the campaign; default: the latest");
   command.add_option("--board", choice.board, "name of the board; default: the only one");
   command.add_option("--axis", choice.axis, "x, y or z; default: z, or the only one measured");

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include "compensation/values/error.h"
+#include "daemon/cli/command_line.h"
 #include "schema/store.h"
 
 namespace gyrocal::cli {
@@ -18,7 +18,7 @@ struct DatabaseChoice {
 };
 
 /// Adds --campaign, --board and --axis; --db is the command's own.
-void add_choice_options(CLI::App& command, DatabaseChoice& choice);
+void add_choice_options(Command& command, DatabaseChoice& choice);
 
 struct ChosenBoard {
   CampaignId campaign{};

@@ -120,7 +120,7 @@ int print_schema(const DbOptions& options) {
 
 }  // namespace
 
-void add_db(CLI::App& root, Chosen& chosen) {
+void add_db(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "db",
       "Example: gyrocal db campaign.db\n"
@@ -130,7 +130,7 @@ void add_db(CLI::App& root, Chosen& chosen) {
       "brings it to the present schema.");
   command->require_subcommand(0, 1);
   const auto options = std::make_shared<DbOptions>();
-  const auto on_database = [options](CLI::App& to, bool required) {
+  const auto on_database = [options](Command& to, bool required) {
     to.add_option("database", options->database, "the database's file")->required(required);
   };
   const auto subcommand = [&](const char* name, const char* help, int (*act)(const DbOptions&)) {
@@ -162,8 +162,8 @@ void add_db(CLI::App& root, Chosen& chosen) {
   on_database(*command, false);
   command->add_flag("--json", options->as_json, "print JSON");
   command->callback([options, command, &chosen] {
-    if (!command->get_subcommands().empty()) return;
-    if (options->database.empty()) throw CLI::RequiredError("database");
+    if (command->subcommand_given()) return;
+    if (options->database.empty()) throw MissingOption("database");
     chosen = [options] { return show(*options); };
   });
 }

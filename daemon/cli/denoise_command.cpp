@@ -86,7 +86,7 @@ int denoise_standard_input(const DenoiseOptions& options) {
 
 }  // namespace
 
-void add_denoise(CLI::App& root, Chosen& chosen) {
+void add_denoise(Command& root, Chosen& chosen) {
   const auto options = std::make_shared<DenoiseOptions>();
   auto* command = root.add_subcommand(
       "denoise",

@@ -161,7 +161,7 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_diagnose(CLI::App& root, Chosen& chosen) {
+void add_diagnose(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "diagnose",
       "Example: gyrocal diagnose --session DIR --json\n"
@@ -177,7 +177,7 @@ void add_diagnose(CLI::App& root, Chosen& chosen) {
   auto* board =
       command->add_option("--board", options->board, "with --db: the board's name (the first one)");
   auto* axis = command->add_option("--axis", options->axis, "with --db: x, y or z (z)")
-                   ->check(CLI::IsMember({"x", "y", "z"}));
+                   ->one_of({"x", "y", "z"});
   auto* all = command->add_flag("--all", options->all,
                                 "with --db: every board and axis, and which effects they share "
                                 "(environment) or not (device)");
@@ -201,18 +201,18 @@ void add_diagnose(CLI::App& root, Chosen& chosen) {
   write_plan->excludes(all);
   campaign->needs(write_plan);
   command->add_option("--jobs", options->jobs, "threads; the answer does not depend on it")
-      ->check(CLI::Range(1, 256));
+      ->within(1, 256);
   command->add_flag("--json", options->json, "print JSON");
   command
       ->add_flag("--exit-code", options->verdict_as_exit_code,
                  "exit 0 consistent, 10 explained, 11 unexplained, 12 confounded")
       ->excludes(all);
   command->callback([options, session, database, write_plan, campaign, &chosen] {
-    if (session->empty() && database->empty()) {
-      throw CLI::RequiredError("--session DIR or --db FILE");
+    if (!session->given() && !database->given()) {
+      throw MissingOption("--session DIR or --db FILE");
     }
-    if (!write_plan->empty() && database->empty() && campaign->empty()) {
-      throw CLI::RequiredError("--campaign FILE, for --write-plan of a session directory");
+    if (write_plan->given() && !database->given() && !campaign->given()) {
+      throw MissingOption("--campaign FILE, for --write-plan of a session directory");
     }
     chosen = [options] { return run(*options); };
   });

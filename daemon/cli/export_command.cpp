@@ -71,7 +71,7 @@ int export_session(const ExportOptions& options) {
 
 }  // namespace
 
-void add_export(CLI::App& root, Chosen& chosen) {
+void add_export(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "export",
       "Example: gyrocal export --db demo.db --table zero_drift > drift.csv\n"
@@ -87,7 +87,7 @@ void add_export(CLI::App& root, Chosen& chosen) {
   command->add_flag("--json", options->as_json, "print JSON");
   command->callback([options, &chosen] {
     if (options->table.empty() == options->folder.empty()) {
-      throw CLI::RequiredError("--table or --session");
+      throw MissingOption("--table or --session");
     }
     chosen = [options] {
       return options->table.empty() ? export_session(*options) : export_table(*options);

@@ -31,7 +31,7 @@ void state_axis(SensorIdentity& model, const std::string& asked) {
   if (!model.axis.empty()) return;
   model.axis = asked;
   if (!model.axis.empty()) return;
-  model.axis = "z";
+  model.axis = std::string("z");
   fmt::print(stderr, "warning: the model does not state its axis, z is written; give --axis\n");
 }
 
@@ -43,7 +43,7 @@ Result<AxisModel> model_for(const std::string& path, const FirmwareOptions& opti
   state_axis(given->identity, options.sensor.axis);
   if (const auto same = check_identity(given->identity, options.sensor); !same) {
     Error error = same.error();
-    error.what = path + ": " + error.what;
+    error.what = fmt::format("{}: {}", path, error.what);
     return tl::unexpected(std::move(error));
   }
   return AxisModel{std::move(given->identity), std::move(given->model)};
@@ -128,7 +128,7 @@ int write_firmware(const FirmwareOptions& options) {
 
 }  // namespace
 
-void add_firmware(CLI::App& root, Chosen& chosen) {
+void add_firmware(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "firmware",
       "Example: gyrocal firmware --format c --model models.json --axis z > gyro_zero_drift.h\n"

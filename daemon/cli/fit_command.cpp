@@ -97,7 +97,7 @@ int fit(const FitOptions& options) {
 
 }  // namespace
 
-void add_fit(CLI::App& root, Chosen& chosen) {
+void add_fit(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "fit",
       "Example: gyrocal fit --table drift.csv --json > models.json\n"
@@ -109,12 +109,12 @@ void add_fit(CLI::App& root, Chosen& chosen) {
   command->add_option("--table", options->table, "CSV file, or - for standard input");
   command->add_option("--db", options->database, "a campaign's database");
   command->add_option("--degree", options->degree, "of the improved model's residual polynomial")
-      ->check(CLI::Range(0, improved_degree_max))
+      ->within(0, improved_degree_max)
       ->capture_default_str();
   command->add_option("--board", options->sensor.board,
                       "of a database: only this one; of a table: kept with the model");
   command->add_option("--axis", options->sensor.axis, "x, y or z, likewise")
-      ->check(CLI::IsMember({"x", "y", "z"}));
+      ->one_of({"x", "y", "z"});
   command->add_option("--temperature-scale", options->sensor.temperature_scale,
                       "of a database: setpoint (default), chamber or board; of a table: kept with "
                       "the model");

@@ -67,7 +67,7 @@ int import(const ImportOptions& options) {
 
 }  // namespace
 
-void add_import(CLI::App& root, Chosen& chosen) {
+void add_import(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "import",
       "Example: gyrocal import sessions/monday --db lab.db\n"

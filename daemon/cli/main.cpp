@@ -6,22 +6,25 @@
 
 int main(int argc, char** argv) {
   using namespace gyrocal::cli;
-  CLI::App app{
+  Command app{
       "Example: gyrocal run config/campaigns/demo.toml --virtual --seed 7 --db demo.db\n"
       "         gyrocal fit --db demo.db --board board0 --axis z\n"
       "         gyrocal COMMAND --help\n"
       "Calibrates the zero drift of MEMS gyroscopes over temperature.",
       "gyrocal"};
-  app.require_subcommand(1);
+  app.require_subcommand(1, 1);
   Chosen chosen;
   add_all_commands(app, chosen);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error) == 0 ? exit_done : exit_bad_input;
-    const auto hint = code == exit_done ? "" : mistyped(app, {argv + 1, argv + argc});
-    if (!hint.empty()) fmt::print(stderr, "{}\n", hint);
-    return code;
+  switch (app.parse(argc, argv)) {
+    case Parsed::helped:
+      return exit_done;
+    case Parsed::refused:
+      if (const auto hint = mistyped(app, {argv + 1, argv + argc}); !hint.empty()) {
+        fmt::print(stderr, "{}\n", hint);
+      }
+      return exit_bad_input;
+    case Parsed::accepted:
+      break;
   }
   return chosen ? chosen() : exit_done;
 }

@@ -60,7 +60,7 @@ int make_safe(const Options& options) {
 
 }  // namespace
 
-void add_make_safe(CLI::App& root, Chosen& chosen) {
+void add_make_safe(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "make-safe",
       "Example: gyrocal make-safe weekend.toml\n"

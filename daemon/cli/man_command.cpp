@@ -18,7 +18,7 @@ struct ManOptions {
   std::string folder;
 };
 
-int write_all(const CLI::App& root, const std::string& folder) {
+int write_all(const Command& root, const std::string& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);  // else writing says why not
   for (const auto& [name, text] : manual_pages(root, GYROCAL_VERSION)) {
@@ -29,10 +29,10 @@ int write_all(const CLI::App& root, const std::string& folder) {
   return exit_done;
 }
 
-int print_one(const CLI::App& root, const std::vector<std::string>& words) {
-  const CLI::App* at = &root;
+int print_one(const Command& root, const std::vector<std::string>& words) {
+  const Command* at = &root;
   for (const auto& word : words) {
-    const CLI::App* const next = subcommand_named(*at, word);
+    const Command* const next = subcommand_named(*at, word);
     if (next == nullptr) {
       return report({Errc::unknown_name, fmt::format("no command is named \"{}\"", word),
                      "gyrocal --help lists them"});
@@ -45,7 +45,7 @@ int print_one(const CLI::App& root, const std::vector<std::string>& words) {
 
 }  // namespace
 
-void add_man(CLI::App& root, Chosen& chosen) {
+void add_man(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand("man",
                                       "Example: gyrocal man fit | man -l -\n"
                                       "         gyrocal man --out man1\n"

@@ -27,7 +27,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-std::string page_name(const CLI::App& command) {
+std::string page_name(const Command& command) {
   return fmt::format("{}", fmt::join(path_of(command), "-"));
 }
 
@@ -36,32 +36,32 @@ std::string first_sentence(const Described& parts) {
   return parts.text.substr(0, end);
 }
 
-std::string synopsis(const CLI::App& command) {
+std::string synopsis(const Command& command) {
   auto line = fmt::format("{}", fmt::join(path_of(command), " "));
-  for (const CLI::Option* option : options(command)) {
-    if (option->get_positional()) {
-      const auto name = option->get_name(true);
-      line += option->get_required() ? " " + name : " [" + name + "]";
-    } else if (option->get_required()) {
-      line += fmt::format(" {} {}", flags_of(*option).front(), option->get_type_name());
+  for (const auto& option : command.options()) {
+    if (option->is_positional()) {
+      const auto name = option->positional_name();
+      line += option->is_required() ? " " + name : " [" + name + "]";
+    } else if (option->is_required()) {
+      line += fmt::format(" {} {}", flags_of(*option).front(), option->type_name());
     }
   }
-  if (!subcommands(command).empty()) line += " COMMAND";
+  if (!command.subcommands().empty()) line += " COMMAND";
   return line + " [OPTIONS]";
 }
 
-std::string option_entry(const CLI::Option& option) {
-  const auto name = option.get_positional() ? option.get_name(true)
-                                            : fmt::format("{}", fmt::join(flags_of(option), ", "));
-  const auto type = takes_value(option) ? " " + option.get_type_name() : "";
+std::string option_entry(const Option& option) {
+  const auto name = option.is_positional() ? option.positional_name()
+                                           : fmt::format("{}", fmt::join(flags_of(option), ", "));
+  const auto type = option.takes_value() ? fmt::format(" {}", option.type_name()) : "";
   return fmt::format(".TP\n.B {}{}\n{}\n", escaped(name), escaped(type),
-                     escaped(option.get_description()));
+                     escaped(option.description()));
 }
 
-std::string commands_section(const CLI::App& command) {
+std::string commands_section(const Command& command) {
   std::string text;
-  for (const CLI::App* each : subcommands(command)) {
-    const auto parts = described(each->get_description());
+  for (const auto& each : command.subcommands()) {
+    const auto parts = described(each->description());
     text += fmt::format(".TP\n.B {}(1)\n{}\n", escaped(page_name(*each)),
                         escaped(parts.text.empty() ? parts.examples.front() : parts.text));
   }
@@ -78,8 +78,8 @@ std::string exit_status_section() {
 
 }  // namespace
 
-std::string manual_page(const CLI::App& command, const std::string& version) {
-  const auto parts = described(command.get_description());
+std::string manual_page(const Command& command, const std::string& version) {
+  const auto parts = described(command.description());
   std::string upper;
   for (const char c : page_name(command)) {
     upper += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -92,19 +92,19 @@ std::string manual_page(const CLI::App& command, const std::string& version) {
   for (const auto& example : parts.examples) page += escaped(example) + "\n";
   page += ".fi\n.SH DESCRIPTION\n" + escaped(parts.text) + "\n" + commands_section(command);
   page += ".SH OPTIONS\n";
-  for (const CLI::Option* option : options(command)) page += option_entry(*option);
+  for (const auto& option : command.options()) page += option_entry(*option);
   page += exit_status_section();
-  if (command.get_parent() != nullptr) {
-    page += fmt::format(".SH SEE ALSO\n.BR {} (1)\n", escaped(page_name(*command.get_parent())));
+  if (command.parent() != nullptr) {
+    page += fmt::format(".SH SEE ALSO\n.BR {} (1)\n", escaped(page_name(*command.parent())));
   }
   return page;
 }
 
-std::vector<std::pair<std::string, std::string>> manual_pages(const CLI::App& command,
+std::vector<std::pair<std::string, std::string>> manual_pages(const Command& command,
                                                               const std::string& version) {
   std::vector<std::pair<std::string, std::string>> pages{
       {page_name(command) + ".1", manual_page(command, version)}};
-  for (const CLI::App* each : subcommands(command)) {
+  for (const auto& each : command.subcommands()) {
     for (auto& page : manual_pages(*each, version)) pages.push_back(std::move(page));
   }
   return pages;

@@ -145,7 +145,7 @@ int show(const PaperOptions& options) {
 
 }  // namespace
 
-void add_paper(CLI::App& root, Chosen& chosen) {
+void add_paper(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand("paper",
                                       "Example: gyrocal paper --dwell-deviation\n"
                                       "Computes the paper's Table 2 from its Table 1, beside the "

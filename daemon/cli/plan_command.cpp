@@ -127,7 +127,7 @@ int plan(const Options& options) {
 
 }  // namespace
 
-void add_plan(CLI::App& root, Chosen& chosen) {
+void add_plan(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "plan",
       "Example: gyrocal plan config/campaigns/weekend.toml\n"
@@ -140,7 +140,7 @@ void add_plan(CLI::App& root, Chosen& chosen) {
       ->capture_default_str();
   command->add_option("--axis", options->axis, "x, y or z")
       ->capture_default_str()
-      ->check(CLI::IsMember({"x", "y", "z"}));
+      ->one_of({"x", "y", "z"});
   command->add_option("--write", options->write,
                       "a campaign file with the addition that separates most for its hours");
   command->add_flag("--json", options->as_json, "print JSON");

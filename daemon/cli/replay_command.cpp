@@ -37,7 +37,7 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_replay(CLI::App& root, Chosen& chosen) {
+void add_replay(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "replay",
       "Examples: gyrocal replay weekend.recording.db\n"

@@ -53,7 +53,7 @@ int write_report(const Options& options) {
 
 }  // namespace
 
-void add_report(CLI::App& root, Chosen& chosen) {
+void add_report(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "report",
       "Example: gyrocal report --db weekend.db -o weekend.html\n"
@@ -64,7 +64,7 @@ void add_report(CLI::App& root, Chosen& chosen) {
   command->add_option("-o,--out", options->out, "the file to write")->required();
   auto* format = command->add_option("--format", options->format, "html or svg")
                      ->capture_default_str()
-                     ->check(CLI::IsMember({"html", "svg"}));
+                     ->one_of({"html", "svg"});
   auto* figure = command->add_option("--figure", options->figure, "with svg: which figure");
   figure->needs(format);
   command->callback([options, &chosen] { chosen = [options] { return write_report(*options); }; });

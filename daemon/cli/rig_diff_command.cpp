@@ -54,7 +54,7 @@ int diff(const DiffOptions& options) {
 
 }  // namespace
 
-void add_rig_diff(CLI::App& rig, Chosen& chosen) {
+void add_rig_diff(Command& rig, Chosen& chosen) {
   auto* command = rig.add_subcommand("diff",
                                      "Example: gyrocal rig diff default found.json\n"
                                      "What the second rig model has that the first has not.");

@@ -59,7 +59,7 @@ int list_models(bool as_json) {
 
 }  // namespace
 
-void add_rig_models(CLI::App& rig, Chosen& chosen) {
+void add_rig_models(Command& rig, Chosen& chosen) {
   auto* command = rig.add_subcommand("models",
                                      "Example: gyrocal rig models\n"
                                      "Lists the rig models that can be given by name.");

@@ -176,16 +176,16 @@ Result<void> serve(const ServeOptions& options) {
   return server->run(stop->get());
 }
 
-void add_options(CLI::App& command, ServeOptions& options) {
+void add_options(Command& command, ServeOptions& options) {
   auto* const campaign = command.add_option(
       "--campaign", options.campaign,
       "serve what this campaign file names: address, profile, devices, time scale");
   command.add_option("--boards", options.boards, "number of boards")
-      ->check(CLI::Range(1, 64))
+      ->within(1, 64)
       ->capture_default_str()
       ->excludes(campaign);
   command.add_option("--port", options.port, "Modbus TCP port on 127.0.0.1; 0: any free one")
-      ->check(CLI::Range(0, 65535))
+      ->within(0, 65535)
       ->capture_default_str()
       ->excludes(campaign);
   command
@@ -193,7 +193,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
                   "directory of the boards' links [$XDG_RUNTIME_DIR/gyrocal-rig]")
       ->excludes(campaign);
   command.add_option("--time-scale", options.time_scale, "campaign seconds in a second")
-      ->check(CLI::Range(1e-3, 1e5));
+      ->within(1e-3, 1e5);
   command.add_option("--seed", options.seed, "of noise and spread")->capture_default_str();
   command.add_option("--rig-model", options.rig_model, "file, or name of a shipped one")
       ->capture_default_str();
@@ -203,7 +203,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
 
 }  // namespace
 
-void add_rig_serve(CLI::App& rig, Chosen& chosen) {
+void add_rig_serve(Command& rig, Chosen& chosen) {
   auto* command = rig.add_subcommand(
       "serve",
       "Example: gyrocal rig serve --campaign config/campaigns/demo.toml\n"

@@ -128,7 +128,7 @@ int show(const ShowOptions& options) {
 
 }  // namespace
 
-void add_rig_show(CLI::App& rig, Chosen& chosen) {
+void add_rig_show(Command& rig, Chosen& chosen) {
   auto* command = rig.add_subcommand("show",
                                      "Example: gyrocal rig show quiet_hysteresis\n"
                                      "         gyrocal rig show thermal_hysteresis\n"

@@ -84,12 +84,11 @@ int simulate(const SimulateOptions& options) {
   return exit_done;
 }
 
-void add_plan_options(CLI::App& command, SimulateOptions& options) {
+void add_plan_options(Command& command, SimulateOptions& options) {
   static const std::map<std::string, rig::Sweep> sweeps{
       {"up", rig::Sweep::up}, {"up_down", rig::Sweep::up_down}, {"shuffled", rig::Sweep::shuffled}};
   rig::SessionPlan& plan = options.plan;
-  command.add_option("--plan", plan.sweep, "order of the setpoints: up, up_down, shuffled")
-      ->transform(CLI::CheckedTransformer(sweeps).description(""));
+  command.add_named("--plan", plan.sweep, sweeps, "order of the setpoints: up, up_down, shuffled");
   command
       .add_option("--setpoints", plan.setpoints_c, "degC, as -10,0,10 (default: the paper's 25)")
       ->delimiter(',');
@@ -103,12 +102,11 @@ void add_plan_options(CLI::App& command, SimulateOptions& options) {
                      "power the board off and on before this visit, counted from 0");
 }
 
-void add_rig_options(CLI::App& command, SimulateOptions& options) {
+void add_rig_options(Command& command, SimulateOptions& options) {
   static const std::map<std::string, Axis> axes{{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}};
   command.add_option("--rig-model", options.model, "name or file [default]");
   command.add_option("--seed", options.seed, "of noise and of a shuffled plan [1]");
-  command.add_option("--axis", options.subject.axis, "x, y or z [z]")
-      ->transform(CLI::CheckedTransformer(axes).description(""));
+  command.add_named("--axis", options.subject.axis, axes, "x, y or z [z]");
   command.add_option("--board", options.subject.board, "index of the board in the chamber [0]");
   command.add_option("--noise", options.noise_dps, "deg/s a sample, instead of the model's");
   command.add_option("--lsb", options.lsb_dps, "deg/s a count, instead of the model's");
@@ -118,7 +116,7 @@ void add_rig_options(CLI::App& command, SimulateOptions& options) {
 
 }  // namespace
 
-void add_rig_simulate(CLI::App& rig, Chosen& chosen) {
+void add_rig_simulate(Command& rig, Chosen& chosen) {
   auto* command = rig.add_subcommand(
       "simulate",
       "Example: gyrocal rig simulate --out session --rig-model quiet_hysteresis --plan up_down\n"

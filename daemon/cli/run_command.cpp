@@ -66,7 +66,7 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_run(CLI::App& root, Chosen& chosen) {
+void add_run(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand(
       "run",
       "Examples: gyrocal run weekend.toml    gyrocal run weekend.toml --resume\n"

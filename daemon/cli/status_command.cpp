@@ -50,14 +50,14 @@ Result<std::string> socket_meant(std::string campaign) {
   std::string names;
   for (const auto& socket : running) {
     if (campaign_of(socket) == campaign) return socket;
-    names += " " + campaign_of(socket);
+    names += fmt::format(" {}", campaign_of(socket));
   }
   if (running.empty()) {
-    return fail(
-        Errc::link_lost,
-        fmt::format("no campaign runs{} (no socket in {})",
-                    campaign.empty() ? "" : " by the name " + campaign, runner::runtime_folder()),
-        "begin one: gyrocal run CAMPAIGN.toml");
+    return fail(Errc::link_lost,
+                fmt::format("no campaign runs{} (no socket in {})",
+                            campaign.empty() ? "" : fmt::format(" by the name {}", campaign),
+                            runner::runtime_folder()),
+                "begin one: gyrocal run CAMPAIGN.toml");
   }
   if (campaign.empty()) {
     return fail(Errc::link_lost, "several campaigns run:" + names, "name one of them");
@@ -90,8 +90,12 @@ int tell(const std::string& command, const Options& options) {
   return answer.value("ok", true) ? exit_done : exit_failed;
 }
 
-std::shared_ptr<Options> add_one(CLI::App& root, Chosen& chosen, const std::string& name,
-                                 const std::string& help) {
+struct Added {
+  Command* command;
+  std::shared_ptr<Options> options;
+};
+
+Added add_one(Command& root, Chosen& chosen, const std::string& name, const std::string& help) {
   auto* command =
       root.add_subcommand(name, fmt::format("Example: gyrocal {} weekend\n{}", name, help));
   const auto options = std::make_shared<Options>();
@@ -100,16 +104,16 @@ std::shared_ptr<Options> add_one(CLI::App& root, Chosen& chosen, const std::stri
   command->add_flag("--json", options->as_json, "print JSON");
   command->callback(
       [name, options, &chosen] { chosen = [name, options] { return tell(name, *options); }; });
-  return options;
+  return {command, options};
 }
 
 }  // namespace
 
-void add_status(CLI::App& root, Chosen& chosen) {
+void add_status(Command& root, Chosen& chosen) {
   const auto status = add_one(root, chosen, "status",
                               "         gyrocal status --watch\nWhere a running campaign stands.");
-  root.get_subcommand("status")->add_flag(
-      "--watch", status->watch,
+  status.command->add_flag(
+      "--watch", status.options->watch,
       "until it ends: one line drawn again each second, or, where stdout is no terminal, a line\n"
       "whenever something changes; NO_COLOR turns colours off");
   add_one(root, chosen, "pause",

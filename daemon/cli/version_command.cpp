@@ -9,7 +9,7 @@
 
 namespace gyrocal::cli {
 
-void add_version(CLI::App& root, Chosen& chosen) {
+void add_version(Command& root, Chosen& chosen) {
   auto* command = root.add_subcommand("version", "Example: gyrocal version --json");
   const auto as_json = std::make_shared<bool>(false);
   command->add_flag("--json", *as_json, "print JSON");

@@ -14,14 +14,14 @@ using namespace gyrocal::cli;
 namespace {
 
 struct Program {
-  CLI::App app{"Example: gyrocal fit --help\nCalibrates.", "gyrocal"};
+  Command app{"Example: gyrocal fit --help\nCalibrates.", "gyrocal"};
   Chosen chosen;
   Program() { add_all_commands(app, chosen); }
 };
 
-void for_each_command(const CLI::App& at, const std::function<void(const CLI::App&)>& look) {
+void for_each_command(const Command& at, const std::function<void(const Command&)>& look) {
   look(at);
-  for (const CLI::App* each : subcommands(at)) for_each_command(*each, look);
+  for (const auto& each : at.subcommands()) for_each_command(*each, look);
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -35,13 +35,13 @@ std::string joined(const std::vector<std::string>& words) {
 TEST_CASE("every command's help begins with an example of itself", "[cli]") {
   const Program program;
   int commands = 0;
-  for_each_command(program.app, [&](const CLI::App& command) {
-    const auto parts = described(command.get_description());
+  for_each_command(program.app, [&](const Command& command) {
+    const auto parts = described(command.description());
     const auto path = joined(path_of(command));
     CAPTURE(path);
     REQUIRE_FALSE(parts.examples.empty());
     CHECK(parts.examples.front().find(path.substr(0, path.size() - 1)) != std::string::npos);
-    CHECK((!parts.text.empty() || command.get_name() == "version"));
+    CHECK((!parts.text.empty() || command.name() == "version"));
     ++commands;
   });
   CHECK(commands >= 30);
@@ -62,11 +62,11 @@ TEST_CASE("a mistyped command or option gets the nearest one", "[cli]") {
 
 TEST_CASE("each command and option but its last letter is told apart", "[cli][property]") {
   const Program program;
-  for_each_command(program.app, [&](const CLI::App& command) {
+  for_each_command(program.app, [&](const Command& command) {
     auto words = path_of(command);
     words.erase(words.begin());
-    for (const CLI::Option* option : options(command)) {
-      for (const auto& name : option->get_lnames()) {
+    for (const auto& option : command.options()) {
+      for (const auto& name : option->long_names()) {
         if (name.size() < 5) continue;
         auto asked = words;
         asked.push_back("--" + name.substr(0, name.size() - 1));
