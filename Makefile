@@ -1,6 +1,7 @@
 # make demo    a whole campaign on simulated devices, through the real drivers, to a stored model
 # make test    every test
 # make bench   timings beside their peers        make judge   diagnose against hidden effects
+# make bench-growth   how each cost grows with the work, memory beside it
 # make soak    the long forms: fuzzing, sanitizers, seeds       make install [PREFIX= DESTDIR=]
 # make deb     a Debian package, in build/package
 SHELL := /bin/bash
@@ -19,7 +20,7 @@ BUILD := build/release
 DEMO := build/demo
 CAMPAIGN := config/campaigns/demo.toml
 
-.PHONY: help packages build demo test bench judge soak install deb
+.PHONY: help packages build demo test bench bench-growth judge soak install deb
 
 help:
 	@grep -E '^# make' Makefile | cut -c3-
@@ -75,6 +76,9 @@ test: build
 
 bench: build
 	@$(BUILD)/tests/bench/gyrocal_bench
+
+bench-growth: build
+	@$(BUILD)/tests/bench/gyrocal_bench --growth
 
 judge: build
 	@rm -rf build/judge; mkdir -p build/judge

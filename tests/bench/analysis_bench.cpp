@@ -1,83 +1,16 @@
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <random>
 
 #include "daemon/runner/analysis.h"
-#include "tests/bench/bench_row.h"
-#include "tests/bench/child_process.h"
-#include "tests/bench/stopwatch.h"
+#include "tests/bench/analyse_file.h"
+#include "tests/bench/python_peer.h"
+#include "tests/bench/sample_campaign.h"
+#include "tests/bench/scratch.h"
+#include "tests/bench/sections.h"
 
 namespace gyrocal::bench {
 namespace {
 
-constexpr int setpoints = 25;
-constexpr int dwell_samples = 3000;
-constexpr double sample_rate_hz = 50;
-
-/// White noise of the paper's 1.31 deg/s on a curved drift, as a board counts it.
-std::vector<BoardSample> dwell_at(double board_c, std::mt19937& random) {
-  constexpr double lsb_per_dps = 4.13;
-  std::normal_distribution<double> noise_dps(0, 1.31);
-  std::vector<BoardSample> samples(dwell_samples);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    BoardSample& sample = samples[i];
-    sample.t_ns = static_cast<std::int64_t>(1e9 / sample_rate_hz) * static_cast<std::int64_t>(i);
-    sample.counter = static_cast<std::uint32_t>(i + 1);
-    sample.temperature_raw = static_cast<std::int16_t>(board_c * 256);
-    for (std::int16_t& lsb : sample.gyro_lsb) {
-      const double rate_dps = 4.3 - 0.01 * board_c + 1e-4 * board_c * board_c + noise_dps(random);
-      lsb = static_cast<std::int16_t>(std::lround(lsb_per_dps * rate_dps));
-    }
-  }
-  return samples;
-}
-
-Result<CampaignConfig> demo_campaign() {
-  return read_campaign(GYROCAL_SOURCE_DIR "/config/campaigns/demo.toml");
-}
-
-/// A campaign of one board as the daemon leaves it before its analysis.
-Result<void> write_campaign(const std::string& path) {
-  auto store = Store::open(path);
-  if (!store) return tl::unexpected(store.error());
-  std::vector<SetpointRow> plan;
-  for (int i = 0; i < setpoints; ++i) plan.push_back({i, Celsius{-10 + 2.5 * i}});
-  CampaignRow row;
-  row.name = "bench";
-  row.samples_per_setpoint = dwell_samples;
-  row.sample_rate_hz = sample_rate_hz;
-  row.state = "analysing";
-  const auto campaign = store->begin_campaign(row, plan);
-  if (!campaign) return tl::unexpected(campaign.error());
-  const auto board = store->add_board(*campaign, {.name = "board0",
-                                                  .device = "bench",
-                                                  .mcu_id = "",
-                                                  .firmware_version = "",
-                                                  .hardware_version = "",
-                                                  .lsb_per_dps = {4.13, 4.13, 4.13},
-                                                  .lsb_per_dps_per_k = {0.002, 0.002, 0.002}});
-  if (!board) return tl::unexpected(board.error());
-  std::mt19937 random(11);
-  for (const SetpointRow& setpoint : plan) {
-    const double board_c = setpoint.setpoint.value + 1;
-    const std::vector<BoardSample> samples = dwell_at(board_c, random);
-    DwellRow dwell;
-    dwell.board = *board;
-    dwell.ordinal = setpoint.ordinal;
-    dwell.t_end_ns = samples.back().t_ns;
-    dwell.board_mean_c = board_c;
-    const auto stored = store->add_group(*campaign, std::array{DwellWithSamples{dwell, samples}});
-    if (!stored) return tl::unexpected(stored.error());
-  }
-  return {};
-}
-
-/// CPU time of reading every sample [s].
-Result<double> reading_s(const std::string& path) {
-  const double before = cpu_now_s();
+Result<void> read_samples(const std::string& path) {
   const auto store = Store::open_read_only(path);
   if (!store) return tl::unexpected(store.error());
   const auto dwells = store->accepted_dwells(CampaignId{1}, BoardId{1});
@@ -86,7 +19,7 @@ Result<double> reading_s(const std::string& path) {
     const auto samples = store->samples(dwell.id);
     if (!samples) return tl::unexpected(samples.error());
   }
-  return cpu_now_s() - before;
+  return {};
 }
 
 /// Largest difference between the fits that both made, over axes and setpoints.
@@ -109,15 +42,53 @@ std::string difference(const std::string& path, const nlohmann::json& peer) {
   return fmt::format("differs by {:.1e}", largest);
 }
 
-template <class Run>
-std::optional<ChildResult> cheapest(Run run, int times) {
-  std::optional<ChildResult> best;
-  for (int i = 0; i < times; ++i) {
-    auto result = run();
-    if (!result) return std::nullopt;
-    if (!best || result->cpu_s < best->cpu_s) best = std::move(result);
+/// The script, run a few times.
+struct ScriptRuns {
+  std::optional<Spread> cpu_s;
+  std::optional<Spread> reading_s;
+  nlohmann::json fits;
+};
+ScriptRuns run_script(const std::string& path) {
+  std::vector<double> cpu_s;
+  std::vector<double> reading_s;
+  ScriptRuns runs;
+  for (int i = 0; i < 3; ++i) {
+    const auto ran = run_python("analysis_peer.py", {path});
+    if (!ran) return runs;
+    runs.fits = nlohmann::json::parse(ran->printed);
+    cpu_s.push_back(ran->cpu_s);
+    reading_s.push_back(runs.fits.at("reading_s"));
   }
-  return best;
+  runs.cpu_s = spread_of(std::move(cpu_s));
+  runs.reading_s = spread_of(std::move(reading_s));
+  return runs;
+}
+
+std::optional<Spread> run_ours(const std::string& path) {
+  std::vector<double> cpu_s;
+  for (int i = 0; i < 9; ++i) {
+    const auto ran = run_child({this_program(), "--analyse", path});
+    if (!ran || ran->exit_code != 0) return std::nullopt;
+    cpu_s.push_back(ran->cpu_s);
+  }
+  return spread_of(std::move(cpu_s));
+}
+
+Rows rows_for(const std::string& path) {
+  const std::string job = "campaign of 75000 samples x 3 axes to models";
+  const auto ours = run_ours(path);
+  if (!ours) return {failed(job, "gyrocal_bench --analyse " + path)};
+  const ScriptRuns script = run_script(path);
+  Rows rows{
+      within(job, *ours, 0.040, "a whole process, from file to stored models"),
+      against("the same, beside a script", *ours, {"Python script", script.cpu_s, "python3-pywt"},
+              10, script.cpu_s ? difference(path, script.fits) : "nothing to compare with")};
+  Result<void> read;
+  const Spread reading = cpu_of_runs_s(9, [&] { read = read_samples(path); });
+  rows.push_back(read ? against("reading its samples alone", reading,
+                                {"Python sqlite3", script.reading_s, "python3-pywt"}, {}, "")
+                      : failed("reading its samples alone", read.error().what));
+  return rows;
 }
 
 }  // namespace
@@ -129,29 +100,16 @@ int analyse_file(const std::string& path) {
   return runner::analyse_campaign(*store, CampaignId{1}, *campaign, "bench") ? 0 : 1;
 }
 
-std::vector<Row> analysis_rows(const std::string& this_program) {
-  const std::string path = std::filesystem::temp_directory_path() /
-                           ("gyrocal_bench." + std::to_string(getpid()) + ".db");
-  std::vector<Row> rows;
-  if (const auto written = write_campaign(path); !written) {
-    fmt::print(stderr, "bench: {}\n", written.error().what);
-    return rows;
+Rows analysis_rows() {
+  const Scratch folder;
+  const std::string path = folder / "campaign.db";
+  {
+    auto store = Store::open(path);
+    if (!store) return {failed("analysis", store.error().what)};
+    const auto written = write_campaign(*store, {});
+    if (!written) return {failed("analysis", written.error().what)};
   }
-  const auto ours = cheapest([&] { return run_child({this_program, "--analyse", path}); }, 7);
-  const auto peer = cheapest([&] { return run_python({GYROCAL_ANALYSIS_PEER, path}); }, 3);
-  double reading = INFINITY;
-  for (int i = 0; i < 7; ++i) reading = std::min(reading, reading_s(path).value_or(INFINITY));
-  const auto json = peer ? nlohmann::json::parse(peer->printed) : nlohmann::json();
-  if (ours) {
-    rows.push_back({"campaign of 75000 samples x 3 axes to models", ours->cpu_s, "Python",
-                    peer ? std::optional(peer->cpu_s) : std::nullopt, 10,
-                    peer ? difference(path, json) : "no peer"});
-  }
-  rows.push_back({"reading its samples alone", reading, "sqlite3.py",
-                  peer ? std::optional(json.at("reading_s").get<double>()) : std::nullopt,
-                  std::nullopt, ""});
-  for (const char* suffix : {"", "-wal", "-shm", ".lock"}) std::filesystem::remove(path + suffix);
-  return rows;
+  return rows_for(path);
 }
 
 }  // namespace gyrocal::bench

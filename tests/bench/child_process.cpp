@@ -7,6 +7,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
+#include <filesystem>
+
+#include "tests/bench/measure.h"
 
 namespace gyrocal::bench {
 namespace {
@@ -24,9 +28,12 @@ std::string read_all(int from) {
   return text;
 }
 
-}  // namespace
+struct Started {
+  pid_t child = -1;
+  int out = -1;  ///< the end to read its standard output from
+};
 
-std::optional<ChildResult> run_child(const std::vector<std::string>& arguments) {
+std::optional<Started> start(const std::vector<std::string>& arguments) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return std::nullopt;
   posix_spawn_file_actions_t actions;
@@ -36,30 +43,54 @@ std::optional<ChildResult> run_child(const std::vector<std::string>& arguments) 
   std::vector<char*> argv;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  pid_t child = 0;
-  const int failed = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
+  Started started{-1, ends[0]};
+  const int failed = posix_spawnp(&started.child, argv[0], &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
-  if (failed != 0) {
-    close(ends[0]);
-    return std::nullopt;
-  }
-  ChildResult result{read_all(ends[0]), 0};
+  if (failed == 0) return started;
   close(ends[0]);
-  int status = 0;
-  rusage used{};
-  wait4(child, &status, 0, &used);
-  result.cpu_s = seconds(used.ru_utime) + seconds(used.ru_stime);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? std::optional(result) : std::nullopt;
+  return std::nullopt;
 }
 
-std::optional<ChildResult> run_python(std::vector<std::string> script_and_arguments) {
-  script_and_arguments.insert(script_and_arguments.begin(), "");
-  for (const char* python : {"python3", "/usr/bin/python3"}) {
-    script_and_arguments.front() = python;
-    if (auto result = run_child(script_and_arguments)) return result;
-  }
-  return std::nullopt;
+}  // namespace
+
+std::optional<ChildResult> run_child(const std::vector<std::string>& arguments) {
+  const double begin = wall_now_s();
+  const auto started = start(arguments);
+  if (!started) return std::nullopt;
+  ChildResult result;
+  result.printed = read_all(started->out);
+  close(started->out);
+  int status = 0;
+  rusage used{};
+  wait4(started->child, &status, 0, &used);
+  result.wall_s = wall_now_s() - begin;
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  result.cpu_s = seconds(used.ru_utime) + seconds(used.ru_stime);
+  result.memory_bytes = 1024.0 * static_cast<double>(used.ru_maxrss);
+  return result;
+}
+
+std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+
+BackgroundProcess::BackgroundProcess(const std::vector<std::string>& arguments) {
+  const auto started = start(arguments);
+  if (!started) return;
+  child_ = started->child;
+  out_ = started->out;
+}
+
+BackgroundProcess::~BackgroundProcess() {
+  if (child_ < 0) return;
+  kill(child_, SIGTERM);
+  waitpid(child_, nullptr, 0);
+  close(out_);
+}
+
+std::string BackgroundProcess::read_line() {
+  std::string line;
+  for (char c = 0; out_ >= 0 && read(out_, &c, 1) == 1 && c != '\n';) line += c;
+  return line;
 }
 
 }  // namespace gyrocal::bench

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,14 +10,31 @@ namespace gyrocal::bench {
 
 struct ChildResult {
   std::string printed;  ///< on standard output
-  double cpu_s;         ///< user and system time of the whole process, start and end included
+  int exit_code = 0;    ///< -1: a signal ended it
+  double cpu_s = 0;     ///< user and system time of the whole process, start and end included
+  double wall_s = 0;
+  double memory_bytes = 0;  ///< the most it had resident
 };
 
-/// Runs a program, its standard error thrown away. Absent if it cannot be run or fails.
+/// Runs a program to its end, its standard error thrown away. Absent if it cannot be started.
 [[nodiscard]] std::optional<ChildResult> run_child(const std::vector<std::string>& arguments);
 
-/// The first Python interpreter that runs a script with success: Debian's packages belong to
-/// Debian's interpreter, which need not be the first in the path.
-[[nodiscard]] std::optional<ChildResult> run_python(std::vector<std::string> script_and_arguments);
+/// Where this program's own file is.
+[[nodiscard]] std::string this_program();
+
+/// A program that runs until this goes out of scope: SIGTERM, then waited for.
+class BackgroundProcess {
+ public:
+  explicit BackgroundProcess(const std::vector<std::string>& arguments);
+  BackgroundProcess(const BackgroundProcess&) = delete;
+  BackgroundProcess& operator=(const BackgroundProcess&) = delete;
+  ~BackgroundProcess();
+  /// The next line it prints, without its end; empty once it prints no more.
+  [[nodiscard]] std::string read_line();
+
+ private:
+  pid_t child_ = -1;
+  int out_ = -1;
+};
 
 }  // namespace gyrocal::bench

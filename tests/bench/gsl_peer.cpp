@@ -1,10 +1,11 @@
+#include "tests/bench/gsl_peer.h"
+
 #include <gsl/gsl_version.h>
 #include <gsl/gsl_wavelet.h>
 
 #include <memory>
 
-#include "tests/bench/peers.h"
-#include "tests/bench/stopwatch.h"
+#include "tests/bench/measure.h"
 
 namespace gyrocal::bench {
 namespace {
@@ -16,19 +17,18 @@ struct Free {
 
 }  // namespace
 
-std::optional<double> gsl_transform_s(std::span<const double> signal) {
+Peer gsl_round_trip(std::span<const double> signal) {
   constexpr std::size_t taps = 8;  // GSL counts taps: its Daubechies 8 is db4
   const std::unique_ptr<gsl_wavelet, Free> db4(gsl_wavelet_alloc(gsl_wavelet_daubechies, taps));
   const std::unique_ptr<gsl_wavelet_workspace, Free> work(
       gsl_wavelet_workspace_alloc(signal.size()));
   // It works in place; both ways, so that the data stay what they were.
   std::vector<double> data(signal.begin(), signal.end());
-  return least_time_s([&] {
+  const Spread took = time_of_call_s([&] {
     gsl_wavelet_transform_forward(db4.get(), data.data(), 1, data.size(), work.get());
     gsl_wavelet_transform_inverse(db4.get(), data.data(), 1, data.size(), work.get());
   });
+  return {"GSL " GSL_VERSION, took, ""};
 }
-
-std::string gsl_name() { return "GSL " GSL_VERSION; }
 
 }  // namespace gyrocal::bench

@@ -1,12 +1,32 @@
+// gyrocal_bench [SECTION...]: one table, ours beside its peers.
+// gyrocal_bench --growth: how the cost of each job grows with its size.
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
+#include <string_view>
 
 #include "compensation/wavelet/kernels.h"
-#include "tests/bench/bench_row.h"
+#include "tests/bench/analyse_file.h"
+#include "tests/bench/growth.h"
+#include "tests/bench/sections.h"
 
 namespace gyrocal::bench {
 namespace {
+
+struct Section {
+  const char* name;
+  Rows (*rows)();
+};
+constexpr std::array sections{
+    Section{"wavelet", wavelet_rows},   Section{"fit", fit_rows},
+    Section{"analysis", analysis_rows}, Section{"store", store_rows},
+    Section{"codec", codec_rows},       Section{"acquisition", acquisition_rows},
+    Section{"modbus", modbus_rows},     Section{"campaign", campaign_rows},
+    Section{"query", query_rows},       Section{"diagnose", diagnose_rows},
+    Section{"start", start_rows}};
 
 std::string processor() {
   std::ifstream info("/proc/cpuinfo");
@@ -21,52 +41,55 @@ std::string widest_instruction_set() {
   return kernels_for(InstructionSet::avx2) != nullptr ? "AVX2" : "portable";
 }
 
-std::string shown(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.2f} us", seconds * 1e6);
-  return fmt::format("{:.2f} ms", seconds * 1e3);
+void print_machine() {
+  fmt::print("{} x {}; {} loops; gyrocal {}, built by g++ {} as {}\n",
+             sysconf(_SC_NPROCESSORS_ONLN), processor(), widest_instruction_set(), GYROCAL_VERSION,
+             __VERSION__, GYROCAL_BUILD_TYPE);
+  fmt::print("median [least, most]; CPU time (user and system) unless a row says wall\n\n");
 }
 
-void print(const Row& row) {
-  const std::string peer = row.peer_s ? shown(*row.peer_s) : "-";
-  const std::string ratio = row.peer_s ? fmt::format("{:.1f} x", *row.peer_s / row.ours_s) : "-";
-  const std::string target = row.target_ratio ? fmt::format("{:.0f} x", *row.target_ratio) : "";
-  fmt::print("{:<44}{:>11}  {:<11}{:>11}{:>9}{:>8}  {}\n", row.job, shown(row.ours_s), row.peer,
-             peer, ratio, target, row.accuracy);
+bool is_wanted(const Section& section, int count, char** names) {
+  return count < 2 || std::any_of(names + 1, names + count,
+                                  [&](std::string_view name) { return name == section.name; });
+}
+
+bool is_known(std::string_view name) {
+  return std::any_of(sections.begin(), sections.end(),
+                     [&](const Section& section) { return name == section.name; });
+}
+
+int usage(const char* name) {
+  fmt::print(stderr, "no section \"{}\"; there are:", name);
+  for (const Section& section : sections) fmt::print(stderr, " {}", section.name);
+  fmt::print(stderr, "\n");
+  return 2;
+}
+
+int run(int count, char** names) {
+  for (int i = 1; i < count; ++i) {
+    if (!is_known(names[i])) return usage(names[i]);
+  }
+  print_machine();
+  print_head();
+  const double begin = wall_now_s();
+  for (const Section& section : sections) {
+    if (!is_wanted(section, count, names)) continue;
+    for (const Row& row : section.rows()) print(row);
+  }
+  fmt::print("\n{:.0f} s in all\n", wall_now_s() - begin);
+  return 0;
 }
 
 }  // namespace
-
-std::optional<double> peer_seconds(const std::optional<PythonPeer>& python,
-                                   const std::string& name) {
-  if (!python) return std::nullopt;
-  return python->seconds.at(name);
-}
-
-std::string difference_to(const std::optional<PythonPeer>& python, const std::string& name,
-                          std::span<const double> ours) {
-  if (!python) return "no peer";
-  return fmt::format("differs by {:.1e}", largest_difference(ours, python->results.at(name)));
-}
-
 }  // namespace gyrocal::bench
 
 int main(int count, char** arguments) {
   using namespace gyrocal::bench;
   if (count == 3 && std::string_view(arguments[1]) == "--analyse")
     return analyse_file(arguments[2]);
-  Signals signals = wavelet_signals();
-  signals.merge(fit_signals());
-  fmt::print("{}; {} loops; CPU time, best of many; peers: ", processor(),
-             widest_instruction_set());
-  std::fflush(stdout);
-  const auto python = run_python_peer(signals);
-  fmt::print("{}, {}\n\n", gsl_name(),
-             python ? python->versions
-                    : "no Python with PyWavelets (apt install python3-pywt python3-numpy)");
-  fmt::print("{:<44}{:>11}  {:<11}{:>11}{:>9}{:>8}  {}\n", "job", "gyrocal", "peer", "takes",
-             "ratio", "target", "accuracy");
-  for (const Row& row : wavelet_rows(signals, python)) print(row);
-  for (const Row& row : fit_rows(signals, python)) print(row);
-  for (const Row& row : analysis_rows(arguments[0])) print(row);
-  return 0;
+  if (count == 2 && std::string_view(arguments[1]) == "--growth") {
+    print_machine();
+    return run_growth();
+  }
+  return run(count, arguments);
 }

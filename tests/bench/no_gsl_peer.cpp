@@ -1,8 +1,7 @@
-#include "tests/bench/peers.h"
+#include "tests/bench/gsl_peer.h"
 
 namespace gyrocal::bench {
 
-std::optional<double> gsl_transform_s(std::span<const double>) { return std::nullopt; }
-std::string gsl_name() { return "GSL was not found at build time (apt install libgsl-dev)"; }
+Peer gsl_round_trip(std::span<const double>) { return {"GSL", {}, "libgsl-dev, then build"}; }
 
 }  // namespace gyrocal::bench

@@ -3,8 +3,10 @@
 #include <random>
 
 #include "compensation/wavelet/denoise.h"
-#include "tests/bench/bench_row.h"
-#include "tests/bench/stopwatch.h"
+#include "tests/bench/gsl_peer.h"
+#include "tests/bench/measure.h"
+#include "tests/bench/python_peer.h"
+#include "tests/bench/sections.h"
 
 namespace gyrocal::bench {
 namespace {
@@ -21,61 +23,52 @@ std::vector<double> noisy_dwell(std::size_t length) {
 }
 
 Row decompose_row(const std::string& name, const std::vector<double>& signal,
-                  const std::optional<PythonPeer>& python) {
+                  const SignalPeer& peer) {
   const Wavelet wavelet{find_filter_bank("db4").value(), Boundary::symmetric, 5};
   Workspace workspace;
   Decomposition bands;
-  const double ours = least_time_s([&] { decompose_into(signal, wavelet, workspace, bands); });
-  return {fmt::format("decompose {} samples, db4, 5 levels", signal.size()),
-          ours,
-          "PyWavelets",
-          peer_seconds(python, name),
-          10,
-          difference_to(python, name, bands.coefficients)};
+  const Spread ours = time_of_call_s([&] { decompose_into(signal, wavelet, workspace, bands); });
+  return against(fmt::format("decompose {} samples, db4, 5 levels", signal.size()), ours,
+                 peer.pywavelets(name), 10, peer.difference(name, bands.coefficients));
 }
 
 /// As a caller without a workspace pays it: new memory each time, as PyWavelets takes it.
 Row decompose_anew_row(const std::string& name, const std::vector<double>& signal,
-                       const std::optional<PythonPeer>& python) {
+                       const SignalPeer& peer) {
   const Wavelet wavelet{find_filter_bank("db4").value(), Boundary::symmetric, 5};
-  std::size_t count = 0;
-  const double ours =
-      least_time_s([&] { count += decompose(signal, wavelet).value().coefficients.size(); });
-  return {fmt::format("the same {}, new memory each time", signal.size()),
-          ours,
-          "PyWavelets",
-          peer_seconds(python, name),
-          std::nullopt,
-          count > 0 ? "as above" : "nothing computed"};
+  Decomposition bands;
+  const Spread ours = time_of_call_s([&] { bands = decompose(signal, wavelet).value(); });
+  return against(fmt::format("the same {}, new memory each time", signal.size()), ours,
+                 peer.pywavelets(name), {}, peer.difference(name, bands.coefficients));
 }
 
-std::vector<Row> round_trip_rows(const std::string& name, const std::vector<double>& signal,
-                                 const std::optional<PythonPeer>& python) {
+void add_round_trip_rows(const std::string& name, const std::vector<double>& signal,
+                         const SignalPeer& peer, Rows& rows) {
   const Wavelet wavelet{find_filter_bank("db4").value(), Boundary::periodization,
                         deepest_level(signal.size())};
   Workspace workspace;
   Decomposition bands;
   std::vector<double> back;
-  const double ours = least_time_s([&] {
+  const Spread ours = time_of_call_s([&] {
     decompose_into(signal, wavelet, workspace, bands);
     reconstruct_into(bands, wavelet, workspace, back);
   });
   const std::string job = fmt::format("there and back {}, db4, all levels", signal.size());
   const std::string accuracy =
       fmt::format("comes back to {:.1e}", largest_difference(signal, back));
-  return {{job, ours, "GSL", gsl_transform_s(signal), 5, accuracy},
-          {job, ours, "PyWavelets", peer_seconds(python, name), std::nullopt, accuracy}};
+  rows.push_back(against(job, ours, gsl_round_trip(signal), 5, accuracy));
+  rows.push_back(against(job, ours, peer.pywavelets(name), {}, accuracy));
 }
 
 Row denoise_row(const std::string& name, const std::vector<double>& signal,
-                const std::optional<PythonPeer>& python) {
+                const SignalPeer& peer) {
   DenoiseSettings settings = default_denoise_settings();
   settings.rule = Thresholding{Shrinkage::soft, ThresholdChoice::universal};
   Denoiser denoiser(settings);
   Denoised result;
   std::vector<double> all;
   bool done = true;
-  const double ours = least_time_s([&] {
+  const Spread ours = time_of_call_s([&] {
     all.clear();
     for (std::size_t dwell = 0; dwell < dwells; ++dwell) {
       const auto samples = std::span(signal).subspan(dwell * dwell_samples, dwell_samples);
@@ -83,17 +76,13 @@ Row denoise_row(const std::string& name, const std::vector<double>& signal,
       all.insert(all.end(), result.denoised.begin(), result.denoised.end());
     }
   });
-  return {fmt::format("denoise {} dwells of {}, soft-universal", dwells, dwell_samples),
-          ours,
-          "PyWavelets",
-          peer_seconds(python, name),
-          10,
-          done ? difference_to(python, name, all) : "failed"};
+  const std::string job =
+      fmt::format("denoise {} dwells of {}, soft-universal", dwells, dwell_samples);
+  return done ? against(job, ours, peer.pywavelets(name), 10, peer.difference(name, all))
+              : failed(job, "the denoiser refused the signal");
 }
 
-}  // namespace
-
-Signals wavelet_signals() {
+Signals signals() {
   return {{"decompose_3000", noisy_dwell(3000)},
           {"decompose_75000", noisy_dwell(75000)},
           {"decompose_10000000", noisy_dwell(10000000)},
@@ -103,16 +92,20 @@ Signals wavelet_signals() {
           {"denoise_75000", noisy_dwell(dwells * dwell_samples)}};
 }
 
-std::vector<Row> wavelet_rows(const Signals& signals, const std::optional<PythonPeer>& python) {
-  std::vector<Row> rows;
+}  // namespace
+
+Rows wavelet_rows() {
+  const Signals all = signals();
+  const SignalPeer peer(all);
+  Rows rows;
   for (const char* name : {"decompose_3000", "decompose_75000", "decompose_10000000"}) {
-    rows.push_back(decompose_row(name, signals.at(name), python));
-    rows.push_back(decompose_anew_row(name, signals.at(name), python));
+    rows.push_back(decompose_row(name, all.at(name), peer));
+    rows.push_back(decompose_anew_row(name, all.at(name), peer));
   }
   for (const char* name : {"round_trip_4096", "round_trip_65536", "round_trip_1048576"}) {
-    for (Row& row : round_trip_rows(name, signals.at(name), python)) rows.push_back(std::move(row));
+    add_round_trip_rows(name, all.at(name), peer, rows);
   }
-  rows.push_back(denoise_row("denoise_75000", signals.at("denoise_75000"), python));
+  rows.push_back(denoise_row("denoise_75000", all.at("denoise_75000"), peer));
   return rows;
 }
 

@@ -1,14 +1,15 @@
 """The peers of make bench: PyWavelets and NumPy at the jobs gyrocal_bench times.
 
-python_peer.py FOLDER reads FOLDER/NAME.f64 (doubles), writes FOLDER/NAME.result.f64 and prints one
+signal_peer.py FOLDER reads FOLDER/NAME.f64 (doubles), writes FOLDER/NAME.result.f64 and prints one
 JSON object of versions and CPU seconds. Exit code 3: PyWavelets or NumPy is not installed.
 """
 import glob
 import json
 import os
 import sys
-import time
 import warnings
+
+import peer_clock
 
 try:
     import numpy
@@ -16,24 +17,6 @@ try:
 except ImportError:
     sys.exit(3)
 warnings.simplefilter("ignore")  # levels beyond the useful one
-
-
-def least_time_s(call):
-    """As stopwatch.h: batches of about 2 ms for half a second, at least 5."""
-    call()
-    begin = time.thread_time()
-    call()
-    batch = max(1, int(2e-3 / max(time.thread_time() - begin, 1e-8)))
-    least = float("inf")
-    start = time.thread_time()
-    rounds = 0
-    while rounds < 5 or time.thread_time() - start < 0.5:
-        before = time.thread_time()
-        for _ in range(batch):
-            call()
-        least = min(least, (time.thread_time() - before) / batch)
-        rounds += 1
-    return least
 
 
 def decompose(signal):
@@ -80,13 +63,13 @@ TIMED = dict(JOBS, decompose=decompose)  # without joining the bands
 
 
 def main():
-    answer = {"versions": f"PyWavelets {pywt.__version__}, NumPy {numpy.__version__}", "seconds": {}}
+    answer = {"versions": {"pywt": pywt.__version__, "numpy": numpy.__version__}, "seconds": {}}
     for path in sorted(glob.glob(os.path.join(sys.argv[1], "*.f64"))):
         name = os.path.basename(path)[:-4]
         job = name.rsplit("_", 1)[0]
         signal = numpy.fromfile(path)
         JOBS[job](signal).tofile(os.path.join(sys.argv[1], name + ".result"))
-        answer["seconds"][name] = least_time_s(lambda: TIMED[job](signal))
+        answer["seconds"][name] = peer_clock.time_of_call_s(lambda: TIMED[job](signal))
     print(json.dumps(answer))
 
 
