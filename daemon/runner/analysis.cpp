@@ -2,9 +2,15 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <deque>
+#include <functional>
+#include <future>
+#include <iterator>
 #include <numeric>
 #include <optional>
+#include <thread>
 
 #include "compensation/drift/analysis.h"
 #include "compensation/drift/mean_error.h"
@@ -141,9 +147,58 @@ Result<std::vector<Dwell>> read_dwells(const Store& store, CampaignId campaign, 
   return dwells;
 }
 
-/// A board that cannot have a model does not keep the others from theirs.
-bool concerns_one_board(const Error& error) {
-  return error.code != Errc::storage && error.code != Errc::busy;
+/// What became of one board, axis after axis. A board that cannot have a model does not keep the
+/// others from theirs.
+struct BoardResult {
+  std::vector<DwellDriftInsert> drifts;
+  std::vector<ModelInsert> models;
+  std::optional<Error> trouble;
+};
+
+BoardResult analyse_board(BoardId id, const BoardRow& board, double sample_rate_hz,
+                          std::vector<Dwell> dwells, const DenoiseSettings& settings) {
+  BoardResult result;
+  Denoiser denoiser(settings);
+  const BoardAnalysis analysis(id, board, sample_rate_hz, std::move(dwells));
+  for (const Axis axis : all_axes) {
+    const auto done = analysis.axis(axis, denoiser, result.drifts, result.models);
+    if (done) continue;
+    result.trouble =
+        Error{done.error().code,
+              fmt::format("board '{}', axis {}: {}", board.name, letter(axis), done.error().what),
+              done.error().advice};
+  }
+  return result;
+}
+
+void append(BoardResult& to, BoardResult from) {
+  std::move(from.drifts.begin(), from.drifts.end(), std::back_inserter(to.drifts));
+  std::move(from.models.begin(), from.models.end(), std::back_inserter(to.models));
+  if (from.trouble) to.trouble = std::move(from.trouble);
+}
+
+/// The boards of a campaign, one after the other from the store, as many at once as there are
+/// processors; results in the order of the boards, so that it makes no difference how many.
+Result<BoardResult> analyse_boards(const Store& store, CampaignId campaign, double sample_rate_hz,
+                                   const DenoiseSettings& settings) {
+  const auto boards = store.boards(campaign);
+  if (!boards) return tl::unexpected(boards.error());
+  const std::size_t at_once = std::max(1U, std::thread::hardware_concurrency());
+  BoardResult all;
+  std::deque<std::future<BoardResult>> running;
+  const auto finish_first = [&] {
+    append(all, running.front().get());
+    running.pop_front();
+  };
+  for (const auto& [id, board] : *boards) {
+    auto dwells = read_dwells(store, campaign, id);
+    if (!dwells) return tl::unexpected(dwells.error());
+    if (running.size() == at_once) finish_first();
+    running.push_back(std::async(std::launch::async, analyse_board, id, std::cref(board),
+                                 sample_rate_hz, std::move(*dwells), std::cref(settings)));
+  }
+  while (!running.empty()) finish_first();
+  return all;
 }
 
 }  // namespace
@@ -198,30 +253,12 @@ Result<void> analyse_campaign(Store& store, CampaignId campaign, const CampaignC
                               const std::string& software_version) {
   auto settings = denoise_settings(config.analysis);
   if (!settings) return tl::unexpected(settings.error());
-  Denoiser denoiser(*settings);
-  auto boards = store.boards(campaign);
-  if (!boards) return tl::unexpected(boards.error());
-  std::vector<DwellDriftInsert> drifts;
-  std::vector<ModelInsert> models;
-  std::optional<Error> trouble;
-  for (const auto& [id, board] : *boards) {
-    auto dwells = read_dwells(store, campaign, id);
-    if (!dwells) return tl::unexpected(dwells.error());
-    const BoardAnalysis analysis(id, board, config.plan.sample_rate_hz, std::move(*dwells));
-    for (const Axis axis : all_axes) {
-      auto done = analysis.axis(axis, denoiser, drifts, models);
-      if (!done && !concerns_one_board(done.error())) return done;
-      if (!done)
-        trouble = Error{
-            done.error().code,
-            fmt::format("board '{}', axis {}: {}", board.name, letter(axis), done.error().what),
-            done.error().advice};
-    }
-  }
+  auto all = analyse_boards(store, campaign, config.plan.sample_rate_hz, *settings);
+  if (!all) return tl::unexpected(all.error());
   auto stored = store.add_analysis(campaign, {settings_json(config.analysis), software_version},
-                                   drifts, models);
+                                   all->drifts, all->models);
   if (!stored) return stored;
-  if (trouble) return tl::unexpected(*trouble);
+  if (all->trouble) return tl::unexpected(*all->trouble);
   return {};
 }
 
