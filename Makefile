@@ -1,7 +1,7 @@
 # make demo    a whole campaign on simulated devices, through the real drivers, to a stored model
 # make test    every test
 # make bench   timings beside their peers        make judge   diagnose against hidden effects
-# make bench-growth   how each cost grows with the work, memory beside it
+# make bench-growth   how each cost grows with the work      make bench-profile   diagnose, by perf
 # make soak    the long forms: fuzzing, sanitizers, seeds       make install [PREFIX= DESTDIR=]
 # make deb     a Debian package, in build/package
 SHELL := /bin/bash
@@ -20,7 +20,7 @@ BUILD := build/release
 DEMO := build/demo
 CAMPAIGN := config/campaigns/demo.toml
 
-.PHONY: help packages build demo test bench bench-growth judge soak install deb
+.PHONY: help packages build demo test bench bench-growth bench-profile judge soak install deb
 
 help:
 	@grep -E '^# make' Makefile | cut -c3-
@@ -79,6 +79,9 @@ bench: build
 
 bench-growth: build
 	@$(BUILD)/tests/bench/gyrocal_bench --growth
+
+bench-profile: build
+	@tests/bench/profile_diagnose.sh $(BUILD)
 
 judge: build
 	@rm -rf build/judge; mkdir -p build/judge

@@ -13,7 +13,7 @@ struct ChildResult {
   int exit_code = 0;    ///< -1: a signal ended it
   double cpu_s = 0;     ///< user and system time of the whole process, start and end included
   double wall_s = 0;
-  double memory_bytes = 0;  ///< the most it had resident
+  double memory_bytes = 0;  ///< the most it had resident; not less than this program
 };
 
 /// Runs a program to its end, its standard error thrown away. Absent if it cannot be started.

@@ -110,11 +110,11 @@ Growth fit_growth() {
 }
 
 Growth models_growth() {
-  Growth growth{"every model with its left-out errors", "setpoints", {25, 250, 2500}, {}};
+  Growth growth{"every model with its left-out errors", "setpoints", {25, 80, 250, 800}, {}};
   for (const double size : growth.work) {
     const DriftTable table = drift_table(static_cast<int>(size));
     bool analysed = true;
-    const Spread taken = cpu_of_runs_s(size > 1000 ? 1 : 5,
+    const Spread taken = cpu_of_runs_s(size > 300 ? 1 : 5,
                                        [&] { analysed = analysed && analyse(table).has_value(); });
     if (!analysed) growth.trouble = "no model";
     growth.cpu_s.push_back(taken.median);

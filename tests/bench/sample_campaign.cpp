@@ -10,7 +10,7 @@ namespace {
 constexpr double sample_rate_hz = 50;
 constexpr double setpoint_spacing_s = 2160;  // 25 of them in 15 h
 
-Celsius setpoint_of(int ordinal) { return Celsius{-10 + 2.5 * ordinal}; }
+Celsius setpoint_of(int ordinal) { return Celsius{-10 + 2.5 * (ordinal % 25)}; }
 
 Result<void> write_group(Store& store, CampaignId campaign, const CampaignShape& shape, int ordinal,
                          const std::vector<BoardId>& boards, std::mt19937& random) {
