@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
   app.add_option("--misses", options.misses,
                  "exit 0 where no more sessions than this count against a target (a small set)")
       ->capture_default_str();
-  app.add_option("--junit", options.junit, "write the targets as JUnit XML");
+  app.add_option("--junit", options.junit, "write targets and sessions as JUnit XML");
   CLI11_PARSE(app, argc, argv);
   return run(options);
 }

@@ -83,19 +83,80 @@ std::string target_line(const Target& target) {
                      target.at_least ? ">=" : "<=", 100.0 * target.wanted, target.cases);
 }
 
-std::string escaped(const std::string& text) {
+/// XML 1.0 has no control characters but these three.
+std::string xml(const std::string& text) {
   std::string out;
-  for (char c : text) {
-    if (c == '<')
+  for (const char c : text) {
+    if (c == '<') {
       out += "&lt;";
-    else if (c == '&')
+    } else if (c == '>') {
+      out += "&gt;";
+    } else if (c == '&') {
       out += "&amp;";
-    else if (c == '"')
+    } else if (c == '"') {
       out += "&quot;";
-    else
-      out.push_back(c);
+    } else if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\r' && c != '\t') {
+      out += ' ';
+    } else {
+      out += c;
+    }
   }
   return out;
+}
+
+/// The test cases of one JUnit suite.
+class Suite {
+ public:
+  explicit Suite(std::string name) : name_(std::move(name)) {}
+
+  /// @param failure  empty: passed.
+  void add(const std::string& of, const std::string& name, double seconds,
+           const std::string& failure, const std::string& details) {
+    ++tests_;
+    cases_ += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">", xml(of),
+                          xml(name), seconds);
+    if (!failure.empty()) {
+      ++failures_;
+      cases_ +=
+          fmt::format("<failure message=\"{}\">{}</failure>", xml(failure), xml(details));
+    }
+    cases_ += "</testcase>\n";
+  }
+  std::string text() const {
+    return fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n{}  </testsuite>\n",
+                       xml(name_), tests_, failures_, cases_);
+  }
+
+ private:
+  std::string name_;
+  int tests_ = 0, failures_ = 0;
+  std::string cases_;
+};
+
+Suite suite_of_targets(const std::vector<Judged>& all) {
+  Suite suite("judge: targets");
+  for (const auto& target : targets(all)) {
+    if (target.cases == 0) continue;
+    const auto missed = fmt::format("{:.4f}, wanted {} {:.4f} over {} cases", target.value,
+                                    target.at_least ? "at least" : "at most", target.wanted,
+                                    target.cases);
+    suite.add("judge.target", target.name, 0.0, target.passed() ? "" : missed,
+              joined(target.culprits, "\n"));
+  }
+  return suite;
+}
+
+Suite suite_of_sessions(const std::vector<Judged>& all) {
+  Suite suite("judge: sessions");
+  for (const auto& session : all) {
+    const auto failure = joined(failings(session), "; ");
+    suite.add("judge." + session.truth.category, session.truth.name, session.answer.seconds,
+              failure.empty() ? "" : "counts against: " + failure,
+              fmt::format("hidden: {}\nsaid: {}", hidden_names(session.truth),
+                          session.answer.trouble.empty() ? said(session.answer)
+                                                         : session.answer.trouble));
+  }
+  return suite;
 }
 
 }  // namespace
@@ -114,23 +175,8 @@ std::string report_text(const std::vector<Judged>& all) {
 }
 
 std::string report_junit(const std::vector<Judged>& all) {
-  std::string cases;
-  int failures = 0;
-  int count = 0;
-  for (const auto& target : targets(all)) {
-    if (target.cases == 0) continue;
-    ++count;
-    cases += fmt::format("  <testcase classname=\"judge\" name=\"{}\">", escaped(target.name));
-    if (!target.passed()) {
-      ++failures;
-      cases += fmt::format("<failure message=\"{:.4f}, wanted {:.4f} over {} cases\">{}</failure>",
-                           target.value, target.wanted, target.cases,
-                           escaped(joined(target.culprits, "\n")));
-    }
-    cases += "</testcase>\n";
-  }
-  return fmt::format("<testsuite name=\"judge\" tests=\"{}\" failures=\"{}\">\n{}</testsuite>\n",
-                     count, failures, cases);
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n" +
+         suite_of_targets(all).text() + suite_of_sessions(all).text() + "</testsuites>\n";
 }
 
 }  // namespace hidden

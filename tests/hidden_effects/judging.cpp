@@ -138,6 +138,30 @@ Target gap_target(const std::vector<Judged>& all) {
           culprits};
 }
 
+std::vector<Target> naming_targets(const std::vector<Judged>& all) {
+  const auto any = [](const Judged&) { return true; };
+  const auto hides = [](const Judged& s) { return s.truth.category != "null"; };
+  const auto wrong = [](const Judged& s) { return !s.wrong_names.empty(); };
+  return {rate_over(all, any, [](const Judged& s) { return s.answer.trouble.empty(); })
+              .at_least("every session answered", 1.0),
+          recall(all, "strong").at_least("strong effects named", 0.95),
+          recall(all, "moderate").at_least("moderate effects named", 0.85),
+          rate_over(all, of_category("null"), wrong).at_most("false names on nulls", 0.02),
+          rate_over(all, hides, wrong).at_most("wrong names", 0.02),
+          rate_over(all, of_category("outside"),
+                    [](const Judged& s) {
+                      return s.admitted || (s.said_confounded &&
+                                            contains(s.truth.accepted_verdicts, "confounded"));
+                    })
+              .at_least("outside the catalogue said unexplained", 0.90),
+          rate_over(all, of_category("confounded"),
+                    [](const Judged& s) {
+                      return s.said_confounded ||
+                             (contains(s.truth.accepted_verdicts, "explained") && s.found.front());
+                    })
+              .at_least("confounded said", 0.90)};
+}
+
 /// Only where something was hidden, and only if there was a gap to close.
 std::optional<double> share_closed(const Truth& truth, const Answer& answer) {
   if (truth.category == "null" || !answer.trouble.empty()) return std::nullopt;
@@ -181,29 +205,18 @@ Judged judge(const Truth& truth, const Answer& answer) {
 }
 
 std::vector<Target> targets(const std::vector<Judged>& all) {
-  const auto any = [](const Judged&) { return true; };
-  const auto hides = [](const Judged& s) { return s.truth.category != "null"; };
-  const auto wrong = [](const Judged& s) { return !s.wrong_names.empty(); };
-  return {rate_over(all, any, [](const Judged& s) { return s.answer.trouble.empty(); })
-              .at_least("every session answered", 1.0),
-          recall(all, "strong").at_least("strong effects named", 0.95),
-          recall(all, "moderate").at_least("moderate effects named", 0.85),
-          rate_over(all, of_category("null"), wrong).at_most("false names on nulls", 0.02),
-          rate_over(all, hides, wrong).at_most("wrong names", 0.02),
-          rate_over(all, of_category("outside"),
-                    [](const Judged& s) {
-                      return s.admitted || (s.said_confounded &&
-                                            contains(s.truth.accepted_verdicts, "confounded"));
-                    })
-              .at_least("outside the catalogue said unexplained", 0.90),
-          rate_over(all, of_category("confounded"),
-                    [](const Judged& s) {
-                      return s.said_confounded ||
-                             (contains(s.truth.accepted_verdicts, "explained") && s.found.front());
-                    })
-              .at_least("confounded said", 0.90),
-          amplitude_target(all),
-          gap_target(all)};
+  auto each = naming_targets(all);
+  each.push_back(amplitude_target(all));
+  each.push_back(gap_target(all));
+  return each;
+}
+
+std::vector<std::string> failings(const Judged& session) {
+  std::vector<std::string> missed;
+  for (const Target& target : naming_targets({session})) {
+    if (!target.culprits.empty()) missed.push_back(target.name);
+  }
+  return missed;
 }
 
 }  // namespace hidden

@@ -123,7 +123,46 @@ TEST_CASE("rates count sessions, and a target without cases neither passes nor f
   CHECK(target(all, "mean share of the excess gap closed").value == 0.5);
   const std::string text = hidden::report_text(all);
   CHECK(text.find("3 passed, 2 failed\n") != std::string::npos);
-  CHECK(hidden::report_junit(all).find("failures=\"2\"") != std::string::npos);
+}
+
+TEST_CASE("a session fails by a wrong name, a false name, a miss or no answer") {
+  const auto right = says("explained", {{"bias_jump", 0.012, "dps", {}}}, 2.0, 0.0);
+  CHECK(hidden::failings(judge(jump_of_12_mdps(), right)).empty());
+  const auto silent = says("consistent", {}, 2.0, 2.0);
+  CHECK(hidden::failings(judge(jump_of_12_mdps(), silent)) ==
+        std::vector<std::string>{"strong effects named"});
+  CHECK(hidden::failings(judge(nothing(), silent)).empty());
+  CHECK(hidden::failings(judge(nothing(), right)) ==
+        std::vector<std::string>{"false names on nulls"});
+  const auto other = says("explained", {{"aging_drift", 1.0, "mdps/h", {}}}, 2.0, 1.9);
+  CHECK(hidden::failings(judge(jump_of_12_mdps(), other)) ==
+        std::vector<std::string>{"strong effects named", "wrong names"});
+  CHECK(hidden::failings(judge(outsider(), other)) ==
+        std::vector<std::string>{"wrong names", "outside the catalogue said unexplained"});
+  CHECK(hidden::failings(judge(aging_or_heating(), right)) ==
+        std::vector<std::string>{"wrong names", "confounded said"});
+  auto none = says("", {}, 0.0, 0.0);
+  none.trouble = "no answer in 300 s";
+  CHECK(hidden::failings(judge(nothing(), none)) ==
+        std::vector<std::string>{"every session answered"});
+}
+
+TEST_CASE("JUnit has a test case a target and one a session, whatever their names hold") {
+  auto truth = jump_of_12_mdps();
+  truth.name = "jump <&\">\x01";
+  const auto missed = judge(truth, says("consistent", {}, 2.0, 2.0));
+  const auto silent = judge(nothing(), says("consistent", {}, 0.0, 0.0));
+  const std::string xml = hidden::report_junit({missed, silent});
+  CHECK(xml.find("<testsuite name=\"judge: sessions\" tests=\"2\" failures=\"1\">") !=
+        std::string::npos);
+  CHECK(xml.find("<testcase classname=\"judge.single\" name=\"jump &lt;&amp;&quot;&gt; \" "
+                 "time=\"0.000\"><failure message=\"counts against: strong effects named\">hidden: "
+                 "bias_jump\nsaid: nothing</failure>") != std::string::npos);
+  CHECK(xml.find("<testcase classname=\"judge.null\" name=\"null\" time=\"0.000\"></testcase>") !=
+        std::string::npos);
+  CHECK(xml.find("<testcase classname=\"judge.target\" name=\"strong effects named\" "
+                 "time=\"0.000\"><failure message=\"0.0000, wanted at least 0.9500 over 1 cases\">") !=
+        std::string::npos);
 }
 
 TEST_CASE("answers that are no diagnosis say what is missing") {
