@@ -8,8 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "compensation/values/nearest_name.h"
 #include "config/campaign_sections.h"
 #include "config/places.h"
+#include "config/shipped_names.h"
 
 namespace gyrocal {
 namespace {
@@ -71,10 +73,13 @@ Result<std::optional<ChamberProfile>> named_profile(TomlSection& table, const st
   const auto file = find_chamber_profile(name, folder.string());
   if (name.empty()) return std::nullopt;
   if (!file) {
-    table.expected(
-        "profile", Errc::unknown_name,
-        fmt::format("the name of a profile in {} or {}", folder.empty() ? "." : folder.string(),
-                    fmt::join(places::chambers, " or ")));
+    const std::vector<std::string> shipped(std::begin(places::chambers), std::end(places::chambers));
+    const auto known = shipped_names(shipped, ".toml");
+    const auto near = nearest_name(name, std::vector<std::string_view>(known.begin(), known.end()));
+    table.expected("profile", Errc::unknown_name,
+                   fmt::format("the name of a profile in {} or {}{}",
+                               folder.empty() ? "." : folder.string(), fmt::join(shipped, " or "),
+                               near.empty() ? "" : fmt::format("; is \"{}\" meant?", near)));
     return std::nullopt;
   }
   return read_chamber_profile(*file);

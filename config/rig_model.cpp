@@ -9,9 +9,11 @@
 
 #include "compensation/rig/effects/effect.h"
 #include "compensation/rig/empirical_term.h"
+#include "compensation/values/nearest_name.h"
 #include "config/json_node.h"
 #include "config/places.h"
 #include "config/rig_model_fields.h"
+#include "config/shipped_names.h"
 #include "config/text_file.h"
 
 namespace gyrocal {
@@ -262,7 +264,9 @@ Result<rig::RigModel> read_rig_model(const std::string& path_or_name) {
   if (!text) {
     Error error = text.error();
     error.code = Errc::bad_input;  // what was typed, not the disk
-    error.advice = "a path, or the name of a model that gyrocal rig models lists";
+    const auto known = shipped_names(rig_model_folders(), ".json");
+    error.advice = is_meant(path_or_name, std::vector<std::string_view>(known.begin(), known.end()));
+    error.advice += "a path, or the name of a model that gyrocal rig models lists";
     return tl::unexpected(error);
   }
   return parse_rig_model(*text, path);

@@ -1,6 +1,10 @@
 #include "compensation/wavelet/boundary.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+#include "compensation/values/nearest_name.h"
 
 namespace gyrocal {
 namespace {
@@ -56,13 +60,15 @@ std::string_view name_of(Boundary boundary) {
 }
 
 Result<Boundary> find_boundary(std::string_view name) {
-  std::string known;
+  std::vector<std::string_view> known;
   for (const Boundary boundary : all_boundaries) {
     if (name_of(boundary) == name) return boundary;
-    known += fmt::format(" {}", name_of(boundary));
+    known.push_back(name_of(boundary));
   }
+  const auto near = nearest_name(name, known);
   return fail(Errc::unknown_name, fmt::format("unknown boundary mode '{}'", name),
-              "known modes:" + known);
+              fmt::format("known modes: {}{}", fmt::join(known, " "),
+                          near.empty() ? "" : fmt::format("; is {} meant?", near)));
 }
 
 double continued(std::span<const double> signal, std::ptrdiff_t index, Boundary boundary) {

@@ -1,11 +1,13 @@
 #include "compensation/wavelet/denoise.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "compensation/values/assert.h"
+#include "compensation/values/nearest_name.h"
 
 namespace gyrocal {
 namespace {
@@ -38,15 +40,18 @@ Result<void> check_finite(std::span<const double> signal) {
 
 Result<DenoiseRule> find_denoise_rule(std::string_view name) {
   if (name == "approximation") return ApproximationOnly{};
-  std::string known = "approximation";
+  std::vector<std::string> known{"approximation"};
   for (const auto& shrinkage : shrinkages) {
     for (const auto& choice : choices) {
       const std::string rule = fmt::format("{}-{}", shrinkage.name, choice.name);
       if (rule == name) return Thresholding{shrinkage.value, choice.value};
-      known += ' ' + rule;
+      known.push_back(rule);
     }
   }
-  return fail(Errc::unknown_name, fmt::format("unknown rule '{}'", name), "known rules: " + known);
+  const auto near = nearest_name(name, std::vector<std::string_view>(known.begin(), known.end()));
+  return fail(Errc::unknown_name, fmt::format("unknown rule '{}'", name),
+              fmt::format("known rules: {}{}", fmt::join(known, " "),
+                          near.empty() ? "" : fmt::format("; is {} meant?", near)));
 }
 
 DenoiseSettings default_denoise_settings() {

@@ -1,6 +1,8 @@
 #include "daemon/cli/database_choice.h"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "daemon/cli/one_of.h"
 
 namespace gyrocal::cli {
 namespace {
@@ -43,9 +45,9 @@ Result<ChosenBoard> choose_board(const Store& store, const DatabaseChoice& choic
   if (const auto known = store.campaign(*campaign); !known) return tl::unexpected(known.error());
   const auto boards = store.boards(*campaign);
   if (!boards) return tl::unexpected(boards.error());
-  std::string names;
+  std::vector<std::string> names;
   for (const auto& [id, row] : *boards) {
-    names += fmt::format("{}\"{}\"", names.empty() ? "" : " ", row.name);
+    names.push_back(row.name);
     if (row.name != choice.board && !(choice.board.empty() && boards->size() == 1)) continue;
     const auto axis = choose_axis(row, choice);
     if (!axis) return tl::unexpected(axis.error());
@@ -55,12 +57,12 @@ Result<ChosenBoard> choose_board(const Store& store, const DatabaseChoice& choic
     return fail(Errc::bad_input,
                 fmt::format("{}: campaign {} has {} boards, --board says which", choice.database,
                             static_cast<std::int64_t>(*campaign), boards->size()),
-                "its boards: " + names);
+                fmt::format("its boards: {}", fmt::join(names, ", ")));
   }
   return fail(Errc::unknown_name,
               fmt::format("{}: campaign {} has no board \"{}\"", choice.database,
                           static_cast<std::int64_t>(*campaign), choice.board),
-              "its boards: " + names);
+              one_of(choice.board, "its boards", names));
 }
 
 }  // namespace gyrocal::cli

@@ -8,6 +8,7 @@
 #include "daemon/cli/command.h"
 #include "daemon/cli/csv_columns.h"
 #include "daemon/cli/number_list.h"
+#include "daemon/cli/one_of.h"
 #include "daemon/cli/outcome.h"
 
 namespace gyrocal::cli {
@@ -31,7 +32,7 @@ Result<DenoiseSettings> settings_of(const DenoiseOptions& options) {
   if (!rule) return tl::unexpected(rule.error());
   if (options.noise != "global" && options.noise != "per-level") {
     return fail(Errc::unknown_name, fmt::format("unknown noise estimate '{}'", options.noise),
-                "known estimates: global per-level");
+                one_of(options.noise, "estimates", {"global", "per-level"}));
   }
   return DenoiseSettings{
       .wavelet = {*bank, *boundary, options.level},

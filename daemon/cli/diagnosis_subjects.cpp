@@ -7,6 +7,7 @@
 
 #include "daemon/cli/axis_name.h"
 #include "daemon/cli/diagnosis_rows.h"
+#include "daemon/cli/one_of.h"
 #include "daemon/cli/worker_threads.h"
 #include "gyrocal_version.h"
 #include "schema/session/session_csv.h"
@@ -30,9 +31,9 @@ Result<std::vector<Subject>> subjects_of_database(const std::string& database,
   const auto boards = store->boards(**campaign);
   if (!boards) return tl::unexpected(boards.error());
   std::vector<Subject> subjects;
-  std::string names;
+  std::vector<std::string> names;
   for (const auto& [id, board] : *boards) {
-    names += (names.empty() ? "" : ", ") + board.name;
+    names.push_back(board.name);
     if (wanted && !wanted->board.empty() && board.name != wanted->board) continue;
     for (std::size_t k = 0; k < axis_names.size(); ++k) {
       if (!(wanted ? axis_names[k] == wanted->axis : board.measured[k])) continue;
@@ -43,8 +44,9 @@ Result<std::vector<Subject>> subjects_of_database(const std::string& database,
     if (wanted) break;
   }
   if (!subjects.empty()) return subjects;
-  return fail(Errc::unknown_name, fmt::format("{}: no board \"{}\"; there are: {}", database,
-                                              wanted ? wanted->board : "", names));
+  const std::string asked = wanted ? wanted->board : "";
+  return fail(Errc::unknown_name, fmt::format("{}: no board \"{}\"", database, asked),
+              one_of(asked, "there are", names));
 }
 
 Result<std::vector<Subject>> subject_of_directory(const std::string& folder) {

@@ -6,6 +6,7 @@
 #include "daemon/cli/command.h"
 #include "daemon/cli/command_tree.h"
 #include "daemon/cli/manual_page.h"
+#include "daemon/cli/one_of.h"
 #include "daemon/cli/outcome.h"
 #include "daemon/cli/text_output.h"
 #include "gyrocal_version.h"
@@ -34,8 +35,10 @@ int print_one(const Command& root, const std::vector<std::string>& words) {
   for (const auto& word : words) {
     const Command* const next = subcommand_named(*at, word);
     if (next == nullptr) {
+      std::vector<std::string> known;
+      for (const auto& each : at->subcommands()) known.push_back(each->name());
       return report({Errc::unknown_name, fmt::format("no command is named \"{}\"", word),
-                     "gyrocal --help lists them"});
+                     one_of(word, "there are", known)});
     }
     at = next;
   }

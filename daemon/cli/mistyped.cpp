@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "compensation/values/nearest_name.h"
 #include "daemon/cli/command_tree.h"
 
@@ -40,6 +42,15 @@ std::string mistyped_command(const Command& command, const std::string& word) {
   return sentence("command", word, command, known);
 }
 
+/// A word that is none of those the option takes.
+std::string mistyped_value(const Command& command, const Option& option, const std::string& word) {
+  const auto known = choices_of(option);
+  if (known.empty() || std::find(known.begin(), known.end(), word) != known.end()) return {};
+  const auto names = option.long_names();
+  const auto name = names.empty() ? option.positional_name() : names.front();
+  return sentence(name.c_str(), word, command, known);
+}
+
 }  // namespace
 
 std::string mistyped(const Command& root, const std::vector<std::string>& words) {
@@ -57,11 +68,19 @@ std::string mistyped(const Command& root, const std::vector<std::string>& words)
         }
         return sentence("option", name, *at, known);
       }
-      if (option->takes_value() && name == word) ++i;  // what follows is its value
+      if (!option->takes_value()) continue;
+      if (name == word) ++i;  // what follows is its value
+      if (i == words.size()) return {};
+      const auto value = name == word ? words[i] : word.substr(name.size() + 1);
+      if (auto told = mistyped_value(*at, *option, value); !told.empty()) return told;
     } else if (const Command* next = subcommand_named(*at, word)) {
       at = next;
     } else if (!word.starts_with('-')) {
       if (auto told = mistyped_command(*at, word); !told.empty()) return told;
+      for (const auto& option : at->options()) {
+        if (!option->is_positional()) continue;
+        if (auto told = mistyped_value(*at, *option, word); !told.empty()) return told;
+      }
     }
   }
   return {};

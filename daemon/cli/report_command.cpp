@@ -1,8 +1,9 @@
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <memory>
 
 #include "daemon/cli/command.h"
+#include "daemon/cli/one_of.h"
 #include "daemon/cli/outcome.h"
 #include "daemon/cli/text_output.h"
 #include "daemon/report/campaign_report.h"
@@ -38,7 +39,7 @@ Result<std::string> one_figure(const report::CampaignFacts& facts, const std::st
     names.push_back(figure.name);
   }
   return fail(Errc::unknown_name, fmt::format("no figure is named \"{}\"", wanted),
-              fmt::format("--figure takes one of: {}", fmt::join(names, ", ")));
+              one_of(wanted, "--figure takes one of", names));
 }
 
 int write_report(const Options& options) {

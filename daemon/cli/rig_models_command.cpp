@@ -1,29 +1,16 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "config/rig_model.h"
+#include "config/shipped_names.h"
 #include "daemon/cli/outcome.h"
 #include "daemon/cli/rig_command.h"
 
 namespace gyrocal::cli {
 namespace {
-
-/// Names of the models that can be given without a path.
-std::set<std::string> shipped_names() {
-  std::set<std::string> names;
-  for (const std::string& folder : rig_model_folders()) {
-    std::error_code none;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
-      if (entry.path().extension() == ".json") names.insert(entry.path().stem().string());
-    }
-  }
-  return names;
-}
 
 nlohmann::json summary(const rig::RigModel& model) {
   std::vector<std::string> effects;
@@ -37,7 +24,7 @@ nlohmann::json summary(const rig::RigModel& model) {
 
 int list_models(bool as_json) {
   nlohmann::json all = nlohmann::json::array();
-  for (const std::string& name : shipped_names()) {
+  for (const std::string& name : shipped_names(rig_model_folders(), ".json")) {
     const auto model = read_rig_model(name);
     if (!model) return report(model.error());
     all.push_back(summary(*model));

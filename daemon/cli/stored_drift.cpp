@@ -1,12 +1,13 @@
 #include "daemon/cli/stored_drift.h"
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "compensation/drift/setpoint_means.h"
+#include "daemon/cli/one_of.h"
 
 namespace gyrocal::cli {
 namespace {
@@ -78,7 +79,7 @@ Result<std::vector<StoredSensor>> sensors_of(const Store& store, const std::stri
   return fail(
       Errc::unknown_name,
       fmt::format("no board \"{}\" with data of axis \"{}\" in the latest campaign", board, axis),
-      fmt::format("boards: {}; axes: x, y, z", fmt::join(known, ", ")));
+      one_of(board, "boards", known) + "; axes: x, y, z");
 }
 
 Result<MeasuredTable> stored_table(const Store& store, const StoredSensor& sensor,
@@ -87,7 +88,7 @@ Result<MeasuredTable> stored_table(const Store& store, const StoredSensor& senso
       temperature_scale != "board") {
     return fail(Errc::unknown_name,
                 fmt::format("no temperature scale is named \"{}\"", temperature_scale),
-                "a database knows: setpoint, chamber, board");
+                one_of(temperature_scale, "a database knows", {"setpoint", "chamber", "board"}));
   }
   const auto dwells = store.accepted_dwells(sensor.campaign, sensor.id);
   if (!dwells) return tl::unexpected(dwells.error());
@@ -145,7 +146,7 @@ Result<ModelOfSensor> stored_model(const Store& store, const StoredSensor& senso
   return fail(Errc::unknown_name,
               method.empty() ? title(sensor) + ": no stored model is recommended"
                              : fmt::format("{}: no model \"{}\" is stored", title(sensor), method),
-              fmt::format("choose one of: {}", fmt::join(known, ", ")));
+              one_of(method, "choose one of", known));
 }
 
 }  // namespace gyrocal::cli

@@ -97,6 +97,7 @@ TEST_CASE("each mistake in a campaign file is named with its place and its cure"
       {"chamber", "baud = 9600", Errc::unknown_name, "unknown key chamber.baud = 9600"},
       {"chamber", "profile = \"yinhee\"", Errc::unknown_name,
        "c.toml:5: chamber.profile = \"yinhee\": expected the name of a profile in ."},
+      {"chamber", "profile = \"yinhee\"", Errc::unknown_name, "; is \"yinhe\" meant?"},
       {"chamber", "poll_interval_s = 40", Errc::out_of_range, "every reading would be stale"},
       {"board", "device = \"/dev/first\"", Errc::bad_input,
        "c.toml:14: board[1].device = \"/dev/first\": expected a device of its own; board \"first\" "
@@ -118,6 +119,9 @@ TEST_CASE("each mistake in a campaign file is named with its place and its cure"
       {"analysis", "wavelet = \"db44\"", Errc::unknown_name,
        "analysis.wavelet = \"db44\": expected one of the known wavelets: haar"},
       {"analysis", "mode = \"mirror\"", Errc::unknown_name, "expected one of the known modes:"},
+      {"analysis", "mode = \"symetric\"", Errc::unknown_name, "; is symmetric meant?"},
+      {"analysis", "wavelet = \"dbb4\"", Errc::unknown_name, "; is db4 meant?"},
+      {"analysis", "rule = \"soft-baye\"", Errc::unknown_name, "; is soft-bayes meant?"},
       {"analysis", "rule = \"softer\"", Errc::unknown_name, "expected one of the known rules:"},
       {"plan", "samples_per_setpoint = 20", Errc::out_of_range,
        "analysis.level is missing: expected at most 4: a dwell has 20 samples"},

@@ -137,4 +137,6 @@ TEST_CASE("an unknown rule or mode is answered with the known ones", "[wavelet]"
   CHECK(rule.error().advice.starts_with("known rules: approximation soft-universal soft-sure"));
   CHECK(find_boundary("mirror").error().advice ==
         "known modes: symmetric periodization zero constant reflect periodic");
+  CHECK(find_boundary("symetric").error().advice.ends_with("; is symmetric meant?"));
+  CHECK(find_denoise_rule("soft-univeral").error().advice.ends_with("; is soft-universal meant?"));
 }

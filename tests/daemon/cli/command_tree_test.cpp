@@ -54,6 +54,12 @@ TEST_CASE("a mistyped command or option gets the nearest one", "[cli]") {
   CHECK(told({"rig", "sevre"}) == "gyrocal rig has no command \"sevre\"; is serve meant?");
   CHECK(told({"db", "chekc", "a.db"}) == "gyrocal db has no command \"chekc\"; is check meant?");
   CHECK(told({"fit", "--bd", "x"}) == "gyrocal fit has no option \"--bd\"; is --db meant?");
+  CHECK(told({"report", "--format", "hmtl"}) ==
+        "gyrocal report has no format \"hmtl\"; is html meant?");
+  CHECK(told({"report", "--format=svgg"}) ==
+        "gyrocal report has no format \"svgg\"; is svg meant?");
+  CHECK(told({"completion", "bahs"}) == "gyrocal completion has no shell \"bahs\"; is bash meant?");
+  CHECK(told({"fit", "--axis", "yaw"}) == "gyrocal fit has no axis \"yaw\"");
   CHECK(told({"xyzzy"}) == "gyrocal has no command \"xyzzy\"");
   CHECK(told({"db", "campaign.db"}).empty());
   CHECK(told({"fit", "--db", "--bd"}).empty());  // the value of --db, however odd

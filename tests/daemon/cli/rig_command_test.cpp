@@ -68,6 +68,19 @@ TEST_CASE("a rig model with a mistake is refused with file and line", "[cli]") {
   CHECK(ran.err.find(file + ":2: /effects/0/effect: unknown effect \"x\"") != std::string::npos);
 }
 
+TEST_CASE("a mistyped model or effect gets the nearest one", "[cli]") {
+  const auto advised = [](const std::string& words, const std::string& name) {
+    CAPTURE(words);
+    const auto ran = run_gyrocal(words);
+    CHECK(ran.exit_code == 2);
+    CHECK(ran.err.find("is \"" + name + "\" meant?") != std::string::npos);
+  };
+  advised("rig show quite_hysteresis", "quiet_hysteresis");
+  advised("rig show termal_lag", "thermal_lag");
+  advised("rig diff quiet quiet_hysteresi", "quiet_hysteresis");
+  advised("rig simulate --out /nonexistent/x --rig-model qiuet", "quiet");
+}
+
 TEST_CASE("gyrocal rig shows models, effects and differences", "[cli]") {
   const auto models = nlohmann::json::parse(run_gyrocal("rig models --json").out);
   REQUIRE(models.size() >= 3);

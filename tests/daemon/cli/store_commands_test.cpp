@@ -109,8 +109,9 @@ TEST_CASE("choices that are not clear or not there are answered with what is the
   const auto session = "--session " + (folder / "s");
   CHECK_THAT(exported(session).err,
              Catch::Contains("campaign 1 has 2 boards, --board says which\n  advice: its boards: "
-                             "\"first\" \"second\""));
+                             "first, second"));
   CHECK_THAT(exported(session + " --board third").err, Catch::Contains("has no board \"third\""));
+  CHECK_THAT(exported(session + " --board frist").err, Catch::Contains("is \"first\" meant?"));
   CHECK_THAT(exported(session + " --board first --axis yaw").err,
              Catch::Contains("board \"first\" has no axis \"yaw\"\n  advice: its axes: xyz"));
   CHECK_THAT(exported(session + " --campaign 9").err, Catch::Contains("no campaign 9"));

@@ -97,6 +97,10 @@ TEST_CASE("what a database does not have is said by name", "[cli][database][bad 
   const auto unknown = run_gyrocal("fit --board third --db " + path);
   CHECK(unknown.exit_code == 2);
   CHECK(unknown.err.find("boards: first, second") != std::string::npos);
+  CHECK(run_gyrocal("fit --board secnod --db " + path).err.find("is \"second\" meant?") !=
+        std::string::npos);
+  CHECK(run_gyrocal("fit --board first --temperature-scale bord --db " + path)
+            .err.find("is \"board\" meant?") != std::string::npos);
   const auto axis = run_gyrocal("fit --board first --axis x --db " + path);
   CHECK(axis.exit_code == 2);
   const auto chamber =

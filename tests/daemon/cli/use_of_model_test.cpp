@@ -88,6 +88,9 @@ TEST_CASE("models that are none are refused by file and line", "[cli][bad input]
       run_gyrocal("compensate --method kalman --model " + model_file(), drift_csv());
   CHECK(unknown.exit_code == 2);
   CHECK(unknown.err.find("choose one of: gm11, improved_gm11, least_squares") != std::string::npos);
+  const auto mistyped =
+      run_gyrocal("compensate --method least_square --model " + model_file(), drift_csv());
+  CHECK(mistyped.err.find("is \"least_squares\" meant?") != std::string::npos);
 }
 
 TEST_CASE("firmware refuses a model of another board or thermometer", "[cli]") {
