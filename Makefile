@@ -12,7 +12,7 @@ SHELL := /bin/bash
 PACKAGES := g++ cmake ninja-build pkg-config sqlite3 catch2 libserialport-dev libmodbus-dev \
   libeigen3-dev libspdlog-dev libfmt-dev libsqlite3-dev libtomlplusplus-dev libcli11-dev \
   nlohmann-json3-dev libexpected-dev libcpp-httplib-dev libsystemd-dev libzstd-dev libgcrypt20-dev \
-  gnuplot-nox libjs-dygraphs libmosquitto-dev mosquitto
+  gnuplot-nox libjs-dygraphs libmosquitto-dev mosquitto openssl
 
 PREFIX ?= /usr/local
 JOBS ?= $(shell nproc)
@@ -113,7 +113,7 @@ install: build
 # Dated by the last commit, or by SOURCE_DATE_EPOCH, so that a rebuild gives the same file.
 SOURCE_DATE_EPOCH ?= $(shell git log -1 --format=%ct 2>/dev/null || stat -c %Y CMakeLists.txt)
 export SOURCE_DATE_EPOCH
-deb: PACKAGES += dpkg-dev file
+deb: PACKAGES += dpkg-dev file gzip
 deb: packages
 	@mkdir -p build
 	cmake --preset package >build/configure-package.log

@@ -30,6 +30,13 @@ std::string shown(const toml::node& node) {
   return "a date or time";
 }
 
+/// What stands under a key, for a message. A password written where none belongs, however its key is
+/// spelled, must not reach a log.
+std::string shown(std::string_view key, const toml::node& node) {
+  const bool secret = key.find("pas") != std::string_view::npos && !key.ends_with("_file");
+  return secret && node.is_string() ? "(not shown)" : shown(node);
+}
+
 std::string between(const char* kind, NumberRange range) {
   const std::string unit = range.unit.empty() ? "" : fmt::format(" [{}]", range.unit);
   return fmt::format("{} from {} to {}{}", kind, range.min, range.max, unit);
@@ -65,7 +72,7 @@ struct TomlSection::Impl {
   void note_value(std::string_view key, const toml::node& node, Errc code,
                   const std::string& expectation) {
     file->note(code, line_of(node),
-               fmt::format("{} = {}: expected {}", dotted(key), shown(node), expectation));
+               fmt::format("{} = {}: expected {}", dotted(key), shown(key, node), expectation));
   }
   /// A finite number in range, or a problem noted.
   std::optional<double> checked(std::string_view key, const toml::node& node, NumberRange range) {
@@ -263,7 +270,7 @@ void TomlSection::refuse_unknown_keys() {
     hint = near.empty() ? "known here: " + hint : fmt::format("did you mean \"{}\"?", near);
     impl_->file->note(
         Errc::unknown_name, static_cast<int>(key.source().begin.line),
-        fmt::format("unknown key {} = {}: {}", impl_->dotted(key.str()), shown(node), hint));
+        fmt::format("unknown key {} = {}: {}", impl_->dotted(key.str()), shown(key.str(), node), hint));
   }
 }
 

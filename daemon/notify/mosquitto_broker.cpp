@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "config/text_file.h"
 #include "daemon/notify/broker.h"
 #include "daemon/status/blocked_signals.h"
 #include "daemon/status/json_text.h"
@@ -63,12 +64,12 @@ class Connection {
     std::unique_lock lock(mutex_);
     while (!stopping_) {
       lock.unlock();
-      const int connected =
-          mosquitto_connect(handle_.get(), settings_.host.c_str(), settings_.port, keep_alive_s);
-      if (connected == MOSQ_ERR_SUCCESS) mosquitto_loop_forever(handle_.get(), loop_ms, 1);
+      welcome_ = false;
+      attempt();
       lock.lock();
+      if (welcome_) retry_s = retry_s_min;
       changed_.wait_for(lock, std::chrono::seconds{retry_s}, [this] { return stopping_; });
-      retry_s = connected == MOSQ_ERR_SUCCESS ? retry_s_min : std::min(2 * retry_s, retry_s_max);
+      if (!welcome_) retry_s = std::min(2 * retry_s, retry_s_max);
     }
     ended_ = true;
     changed_.notify_all();
@@ -98,12 +99,63 @@ class Connection {
   }
 
  private:
+  /// Logs in and stays until the connection is gone for good. Files are read anew each time: whoever
+  /// mends a password while the campaign runs need not restart it.
+  void attempt() {
+    if (const auto ready = log_in(); !ready) return tell(to_text(ready.error()));
+    int ended =
+        mosquitto_connect(handle_.get(), settings_.host.c_str(), settings_.port, keep_alive_s);
+    if (ended == MOSQ_ERR_SUCCESS) ended = mosquitto_loop_forever(handle_.get(), loop_ms, 1);
+    switch (ended) {
+      case MOSQ_ERR_SUCCESS:
+      case MOSQ_ERR_NO_CONN:
+      case MOSQ_ERR_CONN_LOST:
+      case MOSQ_ERR_CONN_REFUSED:  // told where it happened
+        return;
+      case MOSQ_ERR_ERRNO:
+        return tell("it does not answer");
+      case MOSQ_ERR_TLS:
+        return tell("its certificate is not believed: is it for this host, and signed by ca_file?");
+      default:
+        return tell(mosquitto_strerror(ended));
+    }
+  }
+  [[nodiscard]] Result<void> log_in() {
+    if (settings_.user) {
+      std::string password;
+      if (settings_.password_file) {
+        auto text = read_text_file(*settings_.password_file);
+        if (!text) return tl::unexpected(std::move(text.error()));
+        password = text->substr(0, text->find_first_of("\r\n"));
+      }
+      mosquitto_username_pw_set(handle_.get(), settings_.user->c_str(),
+                                settings_.password_file ? password.c_str() : nullptr);
+    }
+    if (!settings_.tls || secured_) return {};
+    const int set = settings_.ca_file
+                        ? mosquitto_tls_set(handle_.get(), settings_.ca_file->c_str(), nullptr,
+                                            nullptr, nullptr, nullptr)
+                        : mosquitto_int_option(handle_.get(), MOSQ_OPT_TLS_USE_OS_CERTS, 1);
+    secured_ = set == MOSQ_ERR_SUCCESS;
+    if (secured_) return {};
+    return fail(Errc::storage, "ca_file " + settings_.ca_file.value_or("") + " cannot be read");
+  }
+  /// A trouble that lasts is told once.
+  void tell(const std::string& trouble) {
+    if (trouble == told_) return;
+    told_ = trouble;
+    fmt::print(stderr, "gyrocald: warning: no feed to broker {}, it is tried again: {}\n",
+               settings_.host, trouble);
+  }
+
   void on_connect(int refused) {
     if (refused != 0) {
-      fmt::print(stderr, "gyrocald: warning: broker {} refuses us: {}\n", settings_.host,
-                 mosquitto_connack_string(refused));
+      tell(mosquitto_connack_string(refused));
+      mosquitto_disconnect(handle_.get());  // else the same password is tried again and again
       return;
     }
+    told_.clear();
+    welcome_ = true;
     connected_ = true;
     publish("online", "1", at_least_once, retained);
   }
@@ -119,6 +171,9 @@ class Connection {
   std::string topic_;
   std::atomic<bool> connected_ = false;
   std::atomic<int> delivered_ = 0;
+  bool secured_ = false;  // this and the next two: only in the thread of run()
+  bool welcome_ = false;
+  std::string told_;
   std::mutex mutex_;
   std::condition_variable changed_;
   bool stopping_ = false;

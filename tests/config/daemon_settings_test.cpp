@@ -32,6 +32,28 @@ SCENARIO("hooks are looked for beside the file") {
   CHECK(settings->mqtt->port == 1883);
 }
 
+SCENARIO("a broker's password stands in a file of its own, beside the settings") {
+  const auto settings = parse_daemon_settings(
+      "[mqtt]\nhost = \"b\"\nuser = \"lab\"\npassword_file = \"mqtt.password\"\ntls = true\n"
+      "ca_file = \"/etc/ssl/lab.pem\"\n",
+      "/etc/gyrocal/gyrocald.toml");
+  REQUIRE(settings);
+  CHECK(settings->mqtt->user == "lab");
+  CHECK(settings->mqtt->password_file == "/etc/gyrocal/mqtt.password");
+  CHECK(settings->mqtt->tls);
+  CHECK(settings->mqtt->ca_file == "/etc/ssl/lab.pem");
+  CHECK(settings->mqtt->port == 8883);
+  CHECK(parse_daemon_settings("[mqtt]\nhost = \"b\"\ntls = true\nport = 1\n", "f")->mqtt->port == 1);
+  for (const std::string key : {"password", "pasword", "passwd"}) {
+    const auto told = problem("[mqtt]\nhost = \"b\"\n" + key + " = \"secret\"\n");
+    CHECK(told.find("password_file") != std::string::npos);
+    CHECK(told.find("secret") == std::string::npos);
+  }
+  CHECK(problem("[mqtt]\nhost = \"b\"\npassword_file = \"p\"\n").find("a user beside it") !=
+        std::string::npos);
+  CHECK(problem("[mqtt]\nhost = \"b\"\nca_file = \"c\"\n").find("tls = true") != std::string::npos);
+}
+
 SCENARIO("what cannot be meant is refused with its line") {
   CHECK(problem("[status]\nport = 70000\n").find("gyrocald.toml:2") != std::string::npos);
   CHECK(problem("[status]\nprot = 80\n").find("port") != std::string::npos);

@@ -1,16 +1,19 @@
 // The feed against a real mosquitto; the subscriber is libmosquitto too.
 #include "daemon/notify/broker.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <mosquitto.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <thread>
 
+#include "config/text_file.h"
 #include "tests/daemon/runner/temporary_folder.h"
 #include "tests/daemon/status/http_client.h"
 
@@ -21,10 +24,12 @@ using namespace std::chrono_literals;
 
 class RunningBroker {
  public:
-  explicit RunningBroker(const runner::TemporaryFolder& folder, int port) {
+  /// @param more  of its configuration: another listener.
+  RunningBroker(const runner::TemporaryFolder& folder, int port, const std::string& more = "") {
     const std::string config = folder.write(
-        "broker.conf",
-        fmt::format("listener {} 127.0.0.1\nallow_anonymous true\npersistence false\n", port));
+        "broker.conf", fmt::format("per_listener_settings true\nuser root\npersistence false\n"
+                                   "listener {} 127.0.0.1\nallow_anonymous true\n{}",
+                                   port, more));
     pid_ = ::fork();
     if (pid_ != 0) return;
     static_cast<void>(::freopen((folder / "broker.log").c_str(), "a", stderr));
@@ -91,7 +96,51 @@ class Subscriber {
 };
 
 MqttSettings settings_for(int port, const std::string& host = "127.0.0.1") {
-  return {host, port, "lab", 10};
+  MqttSettings settings;
+  settings.host = host;
+  settings.port = port;
+  settings.topic = "lab";
+  return settings;
+}
+
+/// What is written to stderr while it lives, in a file.
+class Stderr {
+ public:
+  explicit Stderr(std::string path) : path_(std::move(path)), before_(::dup(STDERR_FILENO)) {
+    const int file = ::open(path_.c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600);
+    ::dup2(file, STDERR_FILENO);
+    ::close(file);
+  }
+  ~Stderr() {
+    ::dup2(before_, STDERR_FILENO);
+    ::close(before_);
+  }
+  Stderr(const Stderr&) = delete;
+  Stderr& operator=(const Stderr&) = delete;
+  [[nodiscard]] bool says(const std::string& text) const {
+    for (int i = 0; i < 300; ++i) {
+      if (all().find(text) != std::string::npos) return true;
+      std::this_thread::sleep_for(50ms);
+    }
+    return false;
+  }
+  [[nodiscard]] std::string all() const { return read_text_file(path_).value(); }
+
+ private:
+  std::string path_;
+  int before_;
+};
+
+void made_by(const std::string& command) {
+  INFO(command);
+  REQUIRE(std::system((command + " >/dev/null 2>&1").c_str()) == 0);
+}
+
+/// A certificate for 127.0.0.1 that vouches for itself.
+void make_certificate(const std::string& base) {
+  made_by("openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:P-256 -nodes -days 2 "
+          "-subj /CN=127.0.0.1 -addext subjectAltName=IP:127.0.0.1 -keyout " +
+          base + ".key -out " + base + ".pem");
 }
 
 }  // namespace
@@ -109,6 +158,59 @@ SCENARIO("the feed says that it is there, what happens, and that it has gone") {
   feed->event({2'000'000'000, 0, "warning", "door", "opened"});
   CHECK(subscriber.hears("lab/weekend/event",
                          R"({"t_s":2.0,"severity":"warning","kind":"door","text":"opened"})"));
+  feed.reset();
+  CHECK(subscriber.hears("lab/weekend/online", "0"));
+}
+
+SCENARIO("a broker that asks who comes is told user and password, and nobody else is") {
+  const runner::TemporaryFolder folder;
+  const int open_port = status::free_port();
+  const int port = status::free_port();
+  made_by("mosquitto_passwd -b -c " + (folder / "passwords") + " gyrocal correct-horse");
+  const RunningBroker running(
+      folder, open_port,
+      fmt::format("listener {} 127.0.0.1\npassword_file {}\n", port, folder / "passwords"));
+  Subscriber subscriber(open_port);
+  auto settings = settings_for(port);
+  settings.user = "gyrocal";
+  settings.password_file = folder / "mqtt.password";
+  {
+    const Stderr told(folder / "stderr");
+    auto feed = Broker::connect(settings, "weekend");
+    CHECK(told.says("mqtt.password"));  // it does not exist yet
+    static_cast<void>(folder.write("mqtt.password", "battery-staple\n"));
+    CHECK(told.says("not authori"));
+    static_cast<void>(folder.write("mqtt.password", "correct-horse\n"));
+    CHECK(subscriber.hears("lab/weekend/online", "1"));
+    feed->status("{}");
+    CHECK(subscriber.hears("lab/weekend/status", "{}"));
+    feed.reset();
+    CHECK(subscriber.hears("lab/weekend/online", "0"));
+    CHECK(told.all().find("horse") == std::string::npos);
+    CHECK(told.all().find("staple") == std::string::npos);
+  }
+}
+
+SCENARIO("with TLS a broker is believed only by the certificate it was to have") {
+  const runner::TemporaryFolder folder;
+  const int open_port = status::free_port();
+  const int port = status::free_port();
+  make_certificate(folder / "broker");
+  make_certificate(folder / "another");
+  const RunningBroker running(
+      folder, open_port,
+      fmt::format("listener {} 127.0.0.1\nallow_anonymous true\ncertfile {}\nkeyfile {}\n", port,
+                  folder / "broker.pem", folder / "broker.key"));
+  Subscriber subscriber(open_port);
+  auto settings = settings_for(port);
+  settings.tls = true;
+  settings.ca_file = folder / "ca.pem";
+  static_cast<void>(folder.write("ca.pem", read_text_file(folder / "another.pem").value()));
+  const Stderr told(folder / "stderr");
+  auto feed = Broker::connect(settings, "weekend");
+  CHECK(told.says("is not believed"));
+  static_cast<void>(folder.write("ca.pem", read_text_file(folder / "broker.pem").value()));
+  CHECK(subscriber.hears("lab/weekend/online", "1"));
   feed.reset();
   CHECK(subscriber.hears("lab/weekend/online", "0"));
 }
