@@ -8,7 +8,7 @@ namespace gyrocal::notify {
 
 /// Something an absent person wants to know.
 struct Notice {
-  std::string kind;      ///< "trip" "outage" "outage_over" "behind" "silent" "ended"
+  std::string kind;      ///< "trip" "outage" "outage_over" "failing" "behind" "silent" "ended"
   std::string severity;  ///< "info" "warning" "error"
   std::string sentence;
   std::string advice;

@@ -33,7 +33,8 @@ std::vector<Notice> Watcher::look(const View& view, double machine_s) {
   std::vector<Notice> notices;
   if (!view.now || ended_) return notices;
   for (auto notice :
-       {ending(view), outage(view, machine_s), delay(view, machine_s), silence(view)}) {
+       {ending(view), outage(view, machine_s), failing(view), delay(view, machine_s),
+        silence(view)}) {
     if (notice) notices.push_back(std::move(*notice));
   }
   return notices;
@@ -60,6 +61,14 @@ std::optional<Notice> Watcher::outage(const View& view, double machine_s) {
   return Notice{"outage", "warning",
                 fmt::format("For {:.0f} min: {}.", (machine_s - *away_since_s_) / 60, away),
                 view.concern.advice};
+}
+
+/// Told again when there are twice as many.
+std::optional<Notice> Watcher::failing(const View& view) {
+  const status::GivenUp gone = status::given_up(view);
+  if (ended_ || !gone.concern || gone.setpoints < 2 * given_up_told_) return std::nullopt;
+  given_up_told_ = gone.setpoints;
+  return Notice{"failing", gone.concern->severity, gone.concern->sentence, gone.concern->advice};
 }
 
 std::optional<Notice> Watcher::delay(const View& view, double machine_s) {

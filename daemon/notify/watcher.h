@@ -22,6 +22,7 @@ class Watcher {
   [[nodiscard]] std::optional<Notice> ending(const status::View& view);
   [[nodiscard]] std::optional<Notice> outage(const status::View& view, double machine_s);
   [[nodiscard]] std::optional<Notice> delay(const status::View& view, double machine_s);
+  [[nodiscard]] std::optional<Notice> failing(const status::View& view);
   [[nodiscard]] std::optional<Notice> silence(const status::View& view);
 
   double outage_s_;
@@ -30,6 +31,7 @@ class Watcher {
   bool silent_ = false;
   std::optional<double> away_since_s_;
   bool outage_told_ = false;
+  int given_up_told_ = 0;
   std::optional<double> promised_end_s_;  ///< machine time of the latest end once shown
 };
 

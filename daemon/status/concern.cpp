@@ -101,9 +101,17 @@ std::optional<Concern> waiting(const View& view) {
     return Concern{"warning", fmt::format("An operator has paused the campaign, {} ago.", lasts),
                    "gyrocal resume " + view.facts.campaign};
   }
-  const bool long_soak =
+  return std::nullopt;
+}
+
+std::optional<Concern> setpoints_given_up(const View& view) { return given_up(view).concern; }
+
+std::optional<Concern> long_soak(const View& view) {
+  const runner::Snapshot& now = *view.now;
+  const std::string lasts = clock_text(now.t - now.since);
+  const bool lasts_long =
       now.state == "soaking" && to_seconds(now.t - now.since) > 0.8 * view.facts.soak_s_max;
-  if (long_soak) {
+  if (lasts_long) {
     return Concern{"warning",
                    fmt::format("This soak has lasted {}; after {} the setpoint has failed.", lasts,
                                clock_text(seconds(view.facts.soak_s_max))),
@@ -139,10 +147,30 @@ std::optional<Concern> told_lately(const View& view) {
 
 }  // namespace
 
+GivenUp given_up(const View& view) {
+  GivenUp gone;
+  const EventInsert* latest = nullptr;
+  for (const EventInsert& event : view.events) {
+    if (event.kind != "setpoint_failed") continue;
+    ++gone.setpoints;
+    latest = &event;
+  }
+  if (!view.now || gone.setpoints < 2) return gone;
+  gone.concern =
+      Concern{"error",
+              fmt::format("{} of {} setpoints have been given up; the latest, {} ago: {}.",
+                          gone.setpoints, view.now->setpoints,
+                          clock_text(view.now->t - Duration{latest->t_ns}), latest->text),
+              fmt::format("The others may go the same way. 'gyrocal abort {}' ends the campaign; mend "
+                          "the cause, or the limit in {}, and start again.",
+                          view.facts.campaign, view.facts.campaign_path)};
+  return gone;
+}
+
 Concern concern_of(const View& view) {
   if (auto found = silence(view)) return *found;
-  constexpr std::array worst_first{ending,  chamber_trouble, board_trouble,
-                                   waiting, frames_lost,     told_lately};
+  constexpr std::array worst_first{ending,    chamber_trouble, board_trouble, waiting,
+                                   setpoints_given_up, long_soak, frames_lost, told_lately};
   for (const auto& look : worst_first) {
     if (auto found = look(view)) return *found;
   }

@@ -90,6 +90,20 @@ SCENARIO("a short outage is no message, and does not add to the next one") {
   }
 }
 
+SCENARIO("setpoints given up are told at the second, and again when they have doubled") {
+  Watched watched(1e9);
+  const EventInsert gone{0, 0, "error", "setpoint_failed",
+                         "setpoint 10.0 degC given up after 1 tries: the air goes up and down"};
+  std::vector<std::size_t> told;
+  for (std::size_t n = 1; n <= 9; ++n) {
+    watched.live.report(gone);
+    if (watched.look(sample_snapshot(), 0) == Kinds{"failing"}) told.push_back(n);
+    CHECK(watched.look(sample_snapshot(), 0).empty());
+  }
+  CHECK(told == std::vector<std::size_t>{2, 4, 8});
+  CHECK(watched.said.empty());
+}
+
 SCENARIO("falling behind the latest end once promised is told, and again only for another slip") {
   Watched watched;
   auto now = sample_snapshot();  // promises an end 480 s of ours from now, at the latest

@@ -66,6 +66,28 @@ SCENARIO("a warning of the last minutes is told, an older one is not") {
   CHECK(sample_view(later, {event}).concern.severity == "info");
 }
 
+SCENARIO("the second setpoint given up needs a person, and stays told") {
+  const EventInsert first{seconds(100).count(), 0, "error", "setpoint_failed",
+                          "setpoint 10.0 degC given up after 1 tries: not stable"};
+  EventInsert second = first;
+  second.t_ns = seconds(900).count();
+  CHECK(sample_view(sample_snapshot(), {first}).concern.severity == "warning");
+  auto later = sample_snapshot();
+  later.t = seconds(9000);
+  later.since = seconds(8900);
+  CHECK(sample_view(later, {first}).concern.severity == "info");
+  const Concern concern = sample_view(later, {first, second}).concern;
+  CHECK(concern.severity == "error");
+  CHECK(concern.sentence ==
+        "2 of 3 setpoints have been given up; the latest, 2:15:00 ago: setpoint 10.0 degC given up "
+        "after 1 tries: not stable.");
+  CHECK(concern.advice.find("gyrocal abort weekend") != std::string::npos);
+  CHECK(concern.advice.find("in weekend.toml") != std::string::npos);
+  later.state = "safe";
+  CHECK(sample_view(later, {first, second}).concern.sentence.find("has tripped") !=
+        std::string::npos);
+}
+
 SCENARIO("a loop that has stopped reporting is noticed by the machine's clock") {
   LiveStatus live(sample_facts());
   CHECK(live.at(sample_utc_ns, 0).concern.sentence.find("has not begun") != std::string::npos);
