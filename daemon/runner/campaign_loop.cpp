@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "compensation/values/assert.h"
 #include "daemon/campaign/overloaded.h"
@@ -253,9 +254,10 @@ Result<void> CampaignLoop::feed(const campaign::Event& event) {
   const std::string before = campaign::describe(plan_, state_);
   const char* const left = campaign::name(state_);
   const std::string after = campaign::describe(plan_, step.next);
-  state_ = std::move(step.next);
+  const campaign::State was = std::exchange(state_, std::move(step.next));
   if (const auto* visit = campaign::visit_of(state_)) reached_ = visit->point;
   if (before != after) {
+    note_pace(was);
     entered_ = now();
     conditions_.entered(state_, entered_);
     auto noted =

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "daemon/campaign/conditions.h"
+#include "daemon/campaign/pace.h"
 #include "daemon/campaign/sensor_freeze.h"
 #include "daemon/campaign/supervisor.h"
 #include "daemon/runner/board_port.h"
@@ -83,6 +84,8 @@ class CampaignLoop {
 
   [[nodiscard]] std::optional<campaign::Event> dwell_event() const;
   [[nodiscard]] std::optional<campaign::Event> presence_event() const;
+  void note_pace(const campaign::State& before);
+  [[nodiscard]] Duration planned_left() const;
   [[nodiscard]] Snapshot snapshot() const;
   [[nodiscard]] BoardSnapshot snapshot_of(std::size_t board) const;
 
@@ -102,6 +105,7 @@ class CampaignLoop {
   DwellCollector collector_;
   campaign::Visit dwell_visit_;
   campaign::State state_ = campaign::Preflight{};
+  campaign::Pace pace_;
   Duration entered_{};       ///< when state_ began
   std::size_t reached_ = 0;  ///< the setpoint it was about last
   bool chamber_was_away_ = false;

@@ -90,6 +90,20 @@ Result<void> CampaignLoop::stop() {
                                     where, plan_.safe.value, chamber_.trouble()));
 }
 
+Duration CampaignLoop::planned_left() const {
+  return time_left(plan_, state_, chamber_.latest().actual, now() - entered_);
+}
+
+void CampaignLoop::note_pace(const campaign::State& before) {
+  const bool stood = std::holds_alternative<campaign::Paused>(before) ||
+                     std::holds_alternative<campaign::Holding>(before);
+  if (stood) pace_.stood_still(now() - entered_);
+  if (const auto* visit = campaign::visit_of(state_)) {
+    pace_.heading_for(visit->point, now(),
+                      time_left(plan_, state_, chamber_.latest().actual, Duration{}));
+  }
+}
+
 Snapshot CampaignLoop::snapshot() const {
   Snapshot s;
   s.t = now();
@@ -102,8 +116,9 @@ Snapshot CampaignLoop::snapshot() const {
   s.air = chamber_.latest().actual;
   s.setpoint = chamber_.latest().setpoint;
   if (collector_.running()) s.dwell_share = collector_.progress();
-  s.left = time_left(plan_, state_, chamber_.latest().actual, s.t - entered_);
   const auto waits = static_cast<int>(s.setpoints - s.setpoints_done);
+  const bool on_the_way = campaign::visit_of(state_) != nullptr;
+  s.left = on_the_way ? pace_.left(s.t, planned_left(), s.setpoints - reached_ - 1) : planned_left();
   s.left_max = s.left + waits * seconds(plan_.stability.air_window_s);
   s.chamber_age = chamber_.age(s.t);
   s.boards = static_cast<int>(boards_.size());
