@@ -1,6 +1,12 @@
 # cpack: a Debian package of what `cmake --install` puts below /usr (preset "package").
 include(GNUInstallDirs)
-install(FILES README.md LICENSE config/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+set(debian ${PROJECT_SOURCE_DIR}/config/debian)
+# Without name and time inside, so that it is the same bytes each time. The licence stands in copyright.
+set(changelog ${PROJECT_BINARY_DIR}/changelog.gz)
+add_custom_command(OUTPUT ${changelog} COMMAND sh -c "gzip -9nc ${debian}/changelog >${changelog}"
+  DEPENDS ${debian}/changelog VERBATIM)
+add_custom_target(gyrocal_changelog ALL DEPENDS ${changelog})
+install(FILES README.md ${debian}/copyright ${changelog} DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(CPACK_GENERATOR DEB)
@@ -19,7 +25,6 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "systemd")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, sqlite3")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-set(debian ${PROJECT_SOURCE_DIR}/config/debian)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
     ${debian}/conffiles ${debian}/postinst ${debian}/prerm ${debian}/postrm)
 include(CPack)

@@ -14,6 +14,7 @@ for file in "$prefix/bin/gyrocal" "$prefix/bin/gyrocald" \
   "$prefix/lib/tmpfiles.d/gyrocal.conf" "$prefix/lib/udev/rules.d/70-gyrocal.rules" \
   "$prefix/share/man/man1/gyrocal-rig-serve.1.gz" "$prefix/share/man/man1/gyrocald.1.gz" \
   "$prefix/share/bash-completion/completions/gyrocal" \
+  "$prefix/share/doc/gyrocal/copyright" "$prefix/share/doc/gyrocal/changelog.gz" \
   "$prefix/share/gyrocal/chambers/yinhe.toml"; do
   [ -s "$root$file" ] || complain "$file is not installed"
 done
@@ -24,6 +25,11 @@ if [ "$prefix" = /usr ] || [ "$prefix" = /usr/local ]; then
     [ -s "$root$file" ] || complain "conffile $file is not installed"
   done <"$(dirname "$0")/../../config/debian/conffiles"
 fi
+
+# The changelog tells of the version that is packaged.
+version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$build/CMakeCache.txt")
+zcat "$root$prefix/share/doc/gyrocal/changelog.gz" | head -1 | grep -qF "gyrocal ($version) " ||
+  complain "the changelog does not begin with $version"
 
 # The unit names programs below the prefix, which stand below $root for now.
 unit="$root/gyrocald@.service"
