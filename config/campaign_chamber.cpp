@@ -73,7 +73,8 @@ Result<std::optional<ChamberProfile>> named_profile(TomlSection& table, const st
   const auto file = find_chamber_profile(name, folder.string());
   if (name.empty()) return std::nullopt;
   if (!file) {
-    const std::vector<std::string> shipped(std::begin(places::chambers), std::end(places::chambers));
+    const std::vector<std::string> shipped(std::begin(places::chambers),
+                                           std::end(places::chambers));
     const auto known = shipped_names(shipped, ".toml");
     const auto near = nearest_name(name, std::vector<std::string_view>(known.begin(), known.end()));
     table.expected("profile", Errc::unknown_name,

@@ -30,12 +30,12 @@ struct NotifySettings {
 /// A broker that is fed what the page shows.
 struct MqttSettings {
   std::string host;
-  int port = 1883;                            ///< 8883 with TLS, unless the file says otherwise
-  std::optional<std::string> user;            ///< with it:
-  std::optional<std::string> password_file;   ///< a path; its first line is read at each log-in
-  bool tls = false;                           ///< encrypted; the broker's certificate is checked
-  std::optional<std::string> ca_file;         ///< against this PEM file, else the system's CAs
-  std::string topic = "gyrocal";  ///< topic/CAMPAIGN/status, .../event, .../online
+  int port = 1883;                           ///< 8883 with TLS, unless the file says otherwise
+  std::optional<std::string> user;           ///< with it:
+  std::optional<std::string> password_file;  ///< a path; its first line is read at each log-in
+  bool tls = false;                          ///< encrypted; the broker's certificate is checked
+  std::optional<std::string> ca_file;        ///< against this PEM file, else the system's CAs
+  std::string topic = "gyrocal";             ///< topic/CAMPAIGN/status, .../event, .../online
   double interval_s = 10;
 };
 

@@ -265,7 +265,8 @@ Result<rig::RigModel> read_rig_model(const std::string& path_or_name) {
     Error error = text.error();
     error.code = Errc::bad_input;  // what was typed, not the disk
     const auto known = shipped_names(rig_model_folders(), ".json");
-    error.advice = is_meant(path_or_name, std::vector<std::string_view>(known.begin(), known.end()));
+    error.advice =
+        is_meant(path_or_name, std::vector<std::string_view>(known.begin(), known.end()));
     error.advice += "a path, or the name of a model that gyrocal rig models lists";
     return tl::unexpected(error);
   }

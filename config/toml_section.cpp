@@ -30,8 +30,8 @@ std::string shown(const toml::node& node) {
   return "a date or time";
 }
 
-/// What stands under a key, for a message. A password written where none belongs, however its key is
-/// spelled, must not reach a log.
+/// What stands under a key, for a message. A password written where none belongs, however its key
+/// is spelled, must not reach a log.
 std::string shown(std::string_view key, const toml::node& node) {
   const bool secret = key.find("pas") != std::string_view::npos && !key.ends_with("_file");
   return secret && node.is_string() ? "(not shown)" : shown(node);
@@ -268,9 +268,9 @@ void TomlSection::refuse_unknown_keys() {
     std::string hint;
     for (const auto name : known) hint += (hint.empty() ? "" : ", ") + std::string(name);
     hint = near.empty() ? "known here: " + hint : fmt::format("did you mean \"{}\"?", near);
-    impl_->file->note(
-        Errc::unknown_name, static_cast<int>(key.source().begin.line),
-        fmt::format("unknown key {} = {}: {}", impl_->dotted(key.str()), shown(key.str(), node), hint));
+    impl_->file->note(Errc::unknown_name, static_cast<int>(key.source().begin.line),
+                      fmt::format("unknown key {} = {}: {}", impl_->dotted(key.str()),
+                                  shown(key.str(), node), hint));
   }
 }
 

@@ -59,11 +59,11 @@ Result<Json> chosen(const Json& file, const std::string& source, std::string met
   const auto found = std::find(methods.begin(), methods.end(), method);
   if (method.empty() || found == methods.end()) {
     const std::vector<std::string_view> known(methods.begin(), methods.end());
-    return fail(Errc::unknown_name,
-                method.empty() ? fmt::format("{} recommends no model", source)
-                               : fmt::format("{} holds no model \"{}\"", source, method),
-                fmt::format("{}choose one of: {}", is_meant(method, known),
-                            fmt::join(methods, ", ")));
+    return fail(
+        Errc::unknown_name,
+        method.empty() ? fmt::format("{} recommends no model", source)
+                       : fmt::format("{} holds no model \"{}\"", source, method),
+        fmt::format("{}choose one of: {}", is_meant(method, known), fmt::join(methods, ", ")));
   }
   return file["models"][static_cast<std::size_t>(found - methods.begin())];
 }

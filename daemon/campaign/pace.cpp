@@ -29,7 +29,8 @@ void Pace::heading_for(std::size_t point, Duration t, Duration planned) {
 Duration Pace::left(Duration t, Duration planned, std::size_t after) const {
   if (!visiting_ || late_.size() < visits_min) return planned;
   const Duration usual = median(late_);
-  const Duration still_to_come = std::max(usual - std::max(late_by(t, planned), Duration{}), Duration{});
+  const Duration still_to_come =
+      std::max(usual - std::max(late_by(t, planned), Duration{}), Duration{});
   return std::max(planned + still_to_come + static_cast<int>(after) * usual, Duration{});
 }
 

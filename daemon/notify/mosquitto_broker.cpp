@@ -99,8 +99,8 @@ class Connection {
   }
 
  private:
-  /// Logs in and stays until the connection is gone for good. Files are read anew each time: whoever
-  /// mends a password while the campaign runs need not restart it.
+  /// Logs in and stays until the connection is gone for good. Files are read anew each time:
+  /// whoever mends a password while the campaign runs need not restart it.
   void attempt() {
     if (const auto ready = log_in(); !ready) return tell(to_text(ready.error()));
     int ended =

@@ -32,9 +32,8 @@ std::string what_is_away(const View& view) {
 std::vector<Notice> Watcher::look(const View& view, double machine_s) {
   std::vector<Notice> notices;
   if (!view.now || ended_) return notices;
-  for (auto notice :
-       {ending(view), outage(view, machine_s), failing(view), delay(view, machine_s),
-        silence(view)}) {
+  for (auto notice : {ending(view), outage(view, machine_s), failing(view), delay(view, machine_s),
+                      silence(view)}) {
     if (notice) notices.push_back(std::move(*notice));
   }
   return notices;

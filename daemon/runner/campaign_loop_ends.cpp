@@ -118,7 +118,8 @@ Snapshot CampaignLoop::snapshot() const {
   if (collector_.running()) s.dwell_share = collector_.progress();
   const auto waits = static_cast<int>(s.setpoints - s.setpoints_done);
   const bool on_the_way = campaign::visit_of(state_) != nullptr;
-  s.left = on_the_way ? pace_.left(s.t, planned_left(), s.setpoints - reached_ - 1) : planned_left();
+  s.left =
+      on_the_way ? pace_.left(s.t, planned_left(), s.setpoints - reached_ - 1) : planned_left();
   s.left_max = s.left + waits * seconds(plan_.stability.air_window_s);
   s.chamber_age = chamber_.age(s.t);
   s.boards = static_cast<int>(boards_.size());

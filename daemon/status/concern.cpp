@@ -156,21 +156,22 @@ GivenUp given_up(const View& view) {
     latest = &event;
   }
   if (!view.now || gone.setpoints < 2) return gone;
-  gone.concern =
-      Concern{"error",
-              fmt::format("{} of {} setpoints have been given up; the latest, {} ago: {}.",
-                          gone.setpoints, view.now->setpoints,
-                          clock_text(view.now->t - Duration{latest->t_ns}), latest->text),
-              fmt::format("The others may go the same way. 'gyrocal abort {}' ends the campaign; mend "
-                          "the cause, or the limit in {}, and start again.",
-                          view.facts.campaign, view.facts.campaign_path)};
+  gone.concern = Concern{
+      "error",
+      fmt::format("{} of {} setpoints have been given up; the latest, {} ago: {}.", gone.setpoints,
+                  view.now->setpoints, clock_text(view.now->t - Duration{latest->t_ns}),
+                  latest->text),
+      fmt::format("The others may go the same way. 'gyrocal abort {}' ends the campaign; mend "
+                  "the cause, or the limit in {}, and start again.",
+                  view.facts.campaign, view.facts.campaign_path)};
   return gone;
 }
 
 Concern concern_of(const View& view) {
   if (auto found = silence(view)) return *found;
-  constexpr std::array worst_first{ending,    chamber_trouble, board_trouble, waiting,
-                                   setpoints_given_up, long_soak, frames_lost, told_lately};
+  constexpr std::array worst_first{ending,      chamber_trouble,    board_trouble,
+                                   waiting,     setpoints_given_up, long_soak,
+                                   frames_lost, told_lately};
   for (const auto& look : worst_first) {
     if (auto found = look(view)) return *found;
   }

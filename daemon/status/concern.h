@@ -14,8 +14,8 @@ struct Concern {
   std::string advice;  ///< empty: nothing is to be done
 };
 
-/// Setpoints given up are of concern from the second on: one may be an accident, two are a limit that
-/// cannot be met, and hours lost each.
+/// Setpoints given up are of concern from the second on: one may be an accident, two are a limit
+/// that cannot be met, and hours lost each.
 struct GivenUp {
   int setpoints = 0;  ///< among the events the view holds
   std::optional<Concern> concern;

@@ -156,8 +156,8 @@ TEST_CASE("several mistakes are told at once, in the order of the file", "[confi
 TEST_CASE("a campaign file that cannot be read is named with the reason", "[config][bad]") {
   const auto missing = read_campaign("/nowhere/c.toml");
   REQUIRE_FALSE(missing.has_value());
-  CHECK(missing.error() ==
-        Error{Errc::bad_input, "read /nowhere/c.toml: No such file or directory", "check the path"});
+  CHECK(missing.error() == Error{Errc::bad_input, "read /nowhere/c.toml: No such file or directory",
+                                 "check the path"});
   const auto folder = read_campaign("/tmp");
   REQUIRE_FALSE(folder.has_value());
   CHECK(folder.error().what == "read /tmp: Is a directory");

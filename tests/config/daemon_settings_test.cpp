@@ -43,7 +43,8 @@ SCENARIO("a broker's password stands in a file of its own, beside the settings")
   CHECK(settings->mqtt->tls);
   CHECK(settings->mqtt->ca_file == "/etc/ssl/lab.pem");
   CHECK(settings->mqtt->port == 8883);
-  CHECK(parse_daemon_settings("[mqtt]\nhost = \"b\"\ntls = true\nport = 1\n", "f")->mqtt->port == 1);
+  CHECK(parse_daemon_settings("[mqtt]\nhost = \"b\"\ntls = true\nport = 1\n", "f")->mqtt->port ==
+        1);
   for (const std::string key : {"password", "pasword", "passwd"}) {
     const auto told = problem("[mqtt]\nhost = \"b\"\n" + key + " = \"secret\"\n");
     CHECK(told.find("password_file") != std::string::npos);

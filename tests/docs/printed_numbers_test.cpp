@@ -1,5 +1,5 @@
-// A number with a decimal point on a page is a result, printed by a command that the page names, or it
-// is listed here with the reason why no command prints it.
+// A number with a decimal point on a page is a result, printed by a command that the page names, or
+// it is listed here with the reason why no command prints it.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>

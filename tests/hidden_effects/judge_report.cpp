@@ -117,8 +117,7 @@ class Suite {
                           xml(name), seconds);
     if (!failure.empty()) {
       ++failures_;
-      cases_ +=
-          fmt::format("<failure message=\"{}\">{}</failure>", xml(failure), xml(details));
+      cases_ += fmt::format("<failure message=\"{}\">{}</failure>", xml(failure), xml(details));
     }
     cases_ += "</testcase>\n";
   }
@@ -137,9 +136,9 @@ Suite suite_of_targets(const std::vector<Judged>& all) {
   Suite suite("judge: targets");
   for (const auto& target : targets(all)) {
     if (target.cases == 0) continue;
-    const auto missed = fmt::format("{:.4f}, wanted {} {:.4f} over {} cases", target.value,
-                                    target.at_least ? "at least" : "at most", target.wanted,
-                                    target.cases);
+    const auto missed =
+        fmt::format("{:.4f}, wanted {} {:.4f} over {} cases", target.value,
+                    target.at_least ? "at least" : "at most", target.wanted, target.cases);
     suite.add("judge.target", target.name, 0.0, target.passed() ? "" : missed,
               joined(target.culprits, "\n"));
   }
@@ -152,9 +151,9 @@ Suite suite_of_sessions(const std::vector<Judged>& all) {
     const auto failure = joined(failings(session), "; ");
     suite.add("judge." + session.truth.category, session.truth.name, session.answer.seconds,
               failure.empty() ? "" : "counts against: " + failure,
-              fmt::format("hidden: {}\nsaid: {}", hidden_names(session.truth),
-                          session.answer.trouble.empty() ? said(session.answer)
-                                                         : session.answer.trouble));
+              fmt::format(
+                  "hidden: {}\nsaid: {}", hidden_names(session.truth),
+                  session.answer.trouble.empty() ? said(session.answer) : session.answer.trouble));
   }
   return suite;
 }

@@ -154,12 +154,10 @@ std::vector<Target> naming_targets(const std::vector<Judged>& all) {
                                             contains(s.truth.accepted_verdicts, "confounded"));
                     })
               .at_least("outside the catalogue said unexplained", 0.90),
-          rate_over(all, of_category("confounded"),
-                    [](const Judged& s) {
-                      return s.said_confounded ||
-                             (contains(s.truth.accepted_verdicts, "explained") && s.found.front());
-                    })
-              .at_least("confounded said", 0.90)};
+          rate_over(all, of_category("confounded"), [](const Judged& s) {
+            return s.said_confounded ||
+                   (contains(s.truth.accepted_verdicts, "explained") && s.found.front());
+          }).at_least("confounded said", 0.90)};
 }
 
 /// Only where something was hidden, and only if there was a gap to close.

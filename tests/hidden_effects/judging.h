@@ -67,8 +67,8 @@ struct Target {
 };
 std::vector<Target> targets(const std::vector<Judged>& all);
 
-/// The targets this one session counts against by what it named or kept silent about: "wrong names".
-/// Amplitudes and gaps are judged over all sessions together.
+/// The targets this one session counts against by what it named or kept silent about: "wrong
+/// names". Amplitudes and gaps are judged over all sessions together.
 std::vector<std::string> failings(const Judged& session);
 
 /// The value half the others exceed; 0 for none.

@@ -160,8 +160,9 @@ TEST_CASE("JUnit has a test case a target and one a session, whatever their name
                  "bias_jump\nsaid: nothing</failure>") != std::string::npos);
   CHECK(xml.find("<testcase classname=\"judge.null\" name=\"null\" time=\"0.000\"></testcase>") !=
         std::string::npos);
-  CHECK(xml.find("<testcase classname=\"judge.target\" name=\"strong effects named\" "
-                 "time=\"0.000\"><failure message=\"0.0000, wanted at least 0.9500 over 1 cases\">") !=
+  CHECK(xml.find(
+            "<testcase classname=\"judge.target\" name=\"strong effects named\" "
+            "time=\"0.000\"><failure message=\"0.0000, wanted at least 0.9500 over 1 cases\">") !=
         std::string::npos);
 }
 

@@ -15,7 +15,9 @@ struct Visited {
       pace.heading_for(point, t, planned());
     }
   }
-  [[nodiscard]] Duration planned() const { return std::chrono::hours{10 - static_cast<int>(point)}; }
+  [[nodiscard]] Duration planned() const {
+    return std::chrono::hours{10 - static_cast<int>(point)};
+  }
   [[nodiscard]] double left_h(double into_s = 0) const {
     const Duration now_planned = planned() - seconds(std::min(into_s, 3600.0));
     return to_seconds(pace.left(t + seconds(into_s), now_planned, 9 - point)) / 3600;

@@ -71,7 +71,8 @@ TEST_CASE("denoise refuses what it cannot filter, and says what it knows",
            {"denoise --wavelet db11", "1 2", "known wavelets: haar db2"},
            {"denoise --mode symetric", "1 2", "known modes: symmetric periodization zero"},
            {"denoise --rule soft", "1 2", "known rules: approximation soft-universal"},
-           {"denoise --noise per-levle", "1 2", "is \"per-level\" meant? estimates: global, per-level"},
+           {"denoise --noise per-levle", "1 2",
+            "is \"per-level\" meant? estimates: global, per-level"},
            {"denoise --level x", "1 2", "--level"},
        }) {
     check_refused(refusal);

@@ -138,9 +138,10 @@ void made_by(const std::string& command) {
 
 /// A certificate for 127.0.0.1 that vouches for itself.
 void make_certificate(const std::string& base) {
-  made_by("openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:P-256 -nodes -days 2 "
-          "-subj /CN=127.0.0.1 -addext subjectAltName=IP:127.0.0.1 -keyout " +
-          base + ".key -out " + base + ".pem");
+  made_by(
+      "openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:P-256 -nodes -days 2 "
+      "-subj /CN=127.0.0.1 -addext subjectAltName=IP:127.0.0.1 -keyout " +
+      base + ".key -out " + base + ".pem");
 }
 
 }  // namespace
