@@ -32,9 +32,11 @@ Step with(Action first, Step then) {
 }
 
 Say point_failed(const Plan& plan, const Visit& visit, const std::string& why) {
-  return {"error", "setpoint_failed",
-          fmt::format("setpoint {:.1f} degC given up after {} tries: {}", target(plan, visit).value,
-                      visit.disturbed + 1, why)};
+  return {
+      "error", "setpoint_failed",
+      fmt::format("setpoint {:.1f} degC given up after {}: {}", target(plan, visit).value,
+                  visit.disturbed == 0 ? "one try" : fmt::format("{} tries", visit.disturbed + 1),
+                  why)};
 }
 
 /// The next try at the same setpoint, from its ramp on: whatever spoilt the last one may have

@@ -18,14 +18,15 @@ body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(
 h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; margin-top: 2.2rem; border-bottom: 1px solid var(--rule); }
 .banner { border: 2px solid var(--rule); border-radius: .4rem; padding: .7rem 1rem; }
 .banner strong { text-transform: uppercase; letter-spacing: .04em; margin-right: .6rem; }
-.wide { overflow-x: auto; }
+.wide { overflow-x: auto; margin-bottom: .8rem; }
 table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .25rem .7rem; border-bottom: 1px solid var(--rule); text-align: left; vertical-align: top; }
 .number { text-align: right; white-space: nowrap; }
 figure { margin: 1.4rem 0; } figure svg { width: 100%; height: auto; border-radius: .3rem; }
 figcaption { font-size: .9rem; color: var(--soft); }
 @media print { body { max-width: none; margin: 0; font-size: 11pt; color: #000; background: #fff; }
-  figure, tr, .banner { break-inside: avoid; } h2 { break-after: avoid; } .wide { overflow: visible; } }
+  figure, table, tr, .banner { break-inside: avoid; } h2 { break-after: avoid; }
+  .wide { overflow: visible; } }
 )";
 
 bool is_number(const std::string& cell) {

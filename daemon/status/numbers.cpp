@@ -88,7 +88,9 @@ std::string progress_section(const View& view) {
   const runner::Snapshot& now = *view.now;
   const std::string since = fmt::format("for {}, since {}", clock_text(now.t - now.since),
                                         moment(view, utc_of(view, now.since)));
-  const std::string age = fmt::format("read {:.0f}&nbsp;s ago", to_seconds(now.chamber_age));
+  const double age_s = to_seconds(now.chamber_age);
+  const std::string age = age_s < 120 ? fmt::format("read {:.0f}&nbsp;s ago", age_s)
+                                      : fmt::format("read {} ago", clock_text(now.chamber_age));
   const bool stale = chamber_is_stale(view.facts, now);
   const std::string chamber_note = stale ? fmt::format("last {}, {}", number(now.air), age)
                                          : fmt::format("set {}, {}", number(now.setpoint), age);

@@ -93,7 +93,7 @@ SCENARIO("a short outage is no message, and does not add to the next one") {
 SCENARIO("setpoints given up are told at the second, and again when they have doubled") {
   Watched watched(1e9);
   const EventInsert gone{0, 0, "error", "setpoint_failed",
-                         "setpoint 10.0 degC given up after 1 tries: the air goes up and down"};
+                         "setpoint 10.0 degC given up after one try: the air goes up and down"};
   std::vector<std::size_t> told;
   for (std::size_t n = 1; n <= 9; ++n) {
     watched.live.report(gone);

@@ -68,7 +68,7 @@ SCENARIO("a warning of the last minutes is told, an older one is not") {
 
 SCENARIO("the second setpoint given up needs a person, and stays told") {
   const EventInsert first{seconds(100).count(), 0, "error", "setpoint_failed",
-                          "setpoint 10.0 degC given up after 1 tries: not stable"};
+                          "setpoint 10.0 degC given up after one try: not stable"};
   EventInsert second = first;
   second.t_ns = seconds(900).count();
   CHECK(sample_view(sample_snapshot(), {first}).concern.severity == "warning");
@@ -80,7 +80,7 @@ SCENARIO("the second setpoint given up needs a person, and stays told") {
   CHECK(concern.severity == "error");
   CHECK(concern.sentence ==
         "2 of 3 setpoints have been given up; the latest, 2:15:00 ago: setpoint 10.0 degC given up "
-        "after 1 tries: not stable.");
+        "after one try: not stable.");
   CHECK(concern.advice.find("gyrocal abort weekend") != std::string::npos);
   CHECK(concern.advice.find("in weekend.toml") != std::string::npos);
   later.state = "safe";
