@@ -9,7 +9,7 @@ namespace gyrocal::bench {
 namespace {
 
 constexpr int rounds = 5;
-const char job[] = "virtual campaign of 25 setpoints, 2 boards, wall";
+const char job[] = "virtual campaign: 25 setpoints, 2 boards, wall";
 
 std::string described(const VirtualRun& run) {
   return fmt::format("{:.1f} h, {:.0f} frames, {:.0f} samples stored", run.campaign_s / 3600,

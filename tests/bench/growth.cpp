@@ -1,43 +1,12 @@
 #include "tests/bench/growth.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <cmath>
 #include <cstdio>
 
 #include "tests/bench/row.h"
 
 namespace gyrocal::bench {
-namespace {
-
-double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
-std::vector<double> logs(const std::vector<double>& values) {
-  std::vector<double> result;
-  for (const double value : values) result.push_back(std::log(value));
-  return result;
-}
-
-}  // namespace
-
-double exponent(const std::vector<double>& x, const std::vector<double>& y) {
-  const auto log_x = logs(x);
-  const auto log_y = logs(y);
-  const double mean_x = mean(log_x);
-  const double mean_y = mean(log_y);
-  double together = 0;
-  double alone = 0;
-  for (std::size_t i = 0; i < log_x.size(); ++i) {
-    together += (log_x[i] - mean_x) * (log_y[i] - mean_y);
-    alone += (log_x[i] - mean_x) * (log_x[i] - mean_x);
-  }
-  return together / alone;
-}
 
 void print_growth_head() {
   fmt::print("{:<46} {:>8}  {}\n", "job", "exponent", "CPU at each size (memory)");

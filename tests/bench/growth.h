@@ -15,9 +15,6 @@ struct Growth {
   std::string trouble{};               ///< why it could not be measured
 };
 
-/// Slope of log(y) over log(x) by least squares. @param x, y  at least two, positive.
-[[nodiscard]] double exponent(const std::vector<double>& x, const std::vector<double>& y);
-
 void print_growth_head();
 void print(const Growth& growth);
 

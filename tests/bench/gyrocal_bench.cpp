@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <fstream>
 #include <string_view>
 
@@ -45,7 +46,11 @@ void print_machine() {
   fmt::print("{} x {}; {} loops; gyrocal {}, built by g++ {} as {}\n",
              sysconf(_SC_NPROCESSORS_ONLN), processor(), widest_instruction_set(), GYROCAL_VERSION,
              __VERSION__, GYROCAL_BUILD_TYPE);
-  fmt::print("median [least, most]; CPU time (user and system) unless a row says wall\n\n");
+  double load = 0;
+  getloadavg(&load, 1);
+  fmt::print(
+      "median [least, most]; CPU time (user and system) unless a row says wall; load {:.1f}\n\n",
+      load);
 }
 
 bool is_wanted(const Section& section, int count, char** names) {

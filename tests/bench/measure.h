@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace gyrocal::bench {
@@ -22,6 +23,23 @@ struct Spread {
 
 [[nodiscard]] inline Spread operator*(const Spread& spread, double factor) {
   return {spread.median * factor, spread.least * factor, spread.most * factor};
+}
+
+/// Slope of log(y) over log(x) by least squares: the power of x with which y grows.
+/// @param x, y  equally many, at least two different x; positive.
+[[nodiscard]] inline double exponent(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto count = static_cast<double>(x.size());
+  double sum_x = 0;
+  double sum_y = 0;
+  double sum_xx = 0;
+  double sum_xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sum_x += std::log(x[i]);
+    sum_y += std::log(y[i]);
+    sum_xx += std::log(x[i]) * std::log(x[i]);
+    sum_xy += std::log(x[i]) * std::log(y[i]);
+  }
+  return (count * sum_xy - sum_x * sum_y) / (count * sum_xx - sum_x * sum_x);
 }
 
 [[nodiscard]] inline double seconds_of(clockid_t clock) {

@@ -16,9 +16,13 @@ struct Unit {
 Unit unit_for(double seconds) {
   constexpr std::array units{Unit{1e-9, "ns"}, Unit{1e-6, "us"}, Unit{1e-3, "ms"}};
   for (const Unit& unit : units) {
-    if (seconds < 1000 * unit.seconds) return unit;
+    if (seconds < 999.5 * unit.seconds) return unit;
   }
   return {1, "s"};
+}
+
+std::string three_digits(double value) {
+  return value < 999.5 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
 }
 
 std::string shown_limit(double seconds) {
@@ -30,8 +34,9 @@ std::string shown_limit(double seconds) {
 
 std::string shown_s(const Spread& seconds) {
   const Unit unit = unit_for(seconds.median);
-  return fmt::format("{:.3g} {} [{:.3g}, {:.3g}]", seconds.median / unit.seconds, unit.name,
-                     seconds.least / unit.seconds, seconds.most / unit.seconds);
+  return fmt::format("{} {} [{}, {}]", three_digits(seconds.median / unit.seconds), unit.name,
+                     three_digits(seconds.least / unit.seconds),
+                     three_digits(seconds.most / unit.seconds));
 }
 
 std::string shown(double value, const std::string& unit) {
@@ -79,13 +84,13 @@ Row failed(const std::string& job, const std::string& why) {
 }
 
 void print_head() {
-  fmt::print("{:<48} {:<26} {:<14} {:<26} {:>8} {:>15} {:<4} {}\n", "job", "gyrocal", "peer",
+  fmt::print("{:<48} {:<25} {:<18} {:<25} {:>7} {:>10} {:<3} {}\n", "job", "gyrocal", "peer",
              "the peer took", "ratio", "wanted", "met", "beside it");
 }
 
 void print(const Row& row) {
   const char* const met = !row.met ? "" : *row.met ? "yes" : "NO";
-  fmt::print("{:<48} {:<26} {:<14} {:<26} {:>8} {:>15} {:<4} {}\n", row.job, row.ours, row.peer,
+  fmt::print("{:<48} {:<25} {:<18} {:<25} {:>7} {:>10} {:<3} {}\n", row.job, row.ours, row.peer,
              row.peer_took, row.ratio, row.wanted, met, row.beside);
   std::fflush(stdout);
 }
