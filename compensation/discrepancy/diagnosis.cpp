@@ -8,6 +8,7 @@
 #include "compensation/discrepancy/acceleration.h"
 #include "compensation/discrepancy/fast_findings.h"
 #include "compensation/discrepancy/gap.h"
+#include "compensation/discrepancy/gap_shadow.h"
 #include "compensation/discrepancy/model_update.h"
 #include "compensation/discrepancy/null_gate.h"
 #include "compensation/discrepancy/session_check.h"
@@ -207,6 +208,22 @@ void settle_between_channels(std::vector<Finding>& slow, std::vector<Finding>& f
   }
 }
 
+/// The session without the gyro's means where a gap in the record leaves the die's temperature
+/// open.
+Session out_of_gap_shadows(const Session& measured, const Track& track,
+                           std::vector<std::string>& notes) {
+  Session session = measured;
+  const auto shadowed = rows_in_gap_shadow(measured, track);
+  for (const std::size_t row : shadowed) session.monitor[row].gyro_dps = std::nan("");
+  if (!shadowed.empty()) {
+    notes.push_back(fmt::format(
+        "{} monitor rows after gaps are left out: how warm the die was there hangs on what the "
+        "chamber did while nothing was recorded",
+        shadowed.size()));
+  }
+  return session;
+}
+
 /// What empty columns cost.
 void add_notes_on_columns(const Session& session, std::vector<std::string>& notes) {
   const bool board = std::any_of(session.monitor.begin(), session.monitor.end(),
@@ -238,21 +255,23 @@ void store(const GapMeasure& measure, Gap& gap, double GapChannel::*when) {
 
 }  // namespace
 
-Result<Diagnosis> diagnose(const Session& session, const rig::RigModel& model,
+Result<Diagnosis> diagnose(const Session& measured, const rig::RigModel& model,
                            const DiagnoseOptions& options) {
-  if (auto checked = check_session(session); !checked) return tl::unexpected(checked.error());
+  if (auto checked = check_session(measured); !checked) return tl::unexpected(checked.error());
   const auto given = rig::instantiate(model);
   if (!given) return tl::unexpected(given.error());
 
-  Case c{session, model, axis_index(session.axis), split_segments(session),
-         {},      {},    MeanLaw({}, 0, 0),        MeanLaw({}, 0, 0)};
-  c.track = make_track(session, c.segments, model.baseline);
+  Diagnosis diagnosis;
+  const std::vector<Segment> segments = split_segments(measured);
+  const Track track = make_track(measured, segments, model.baseline);
+  const Session session = out_of_gap_shadows(measured, track, diagnosis.notes);
+  Case c{session, model, axis_index(session.axis), segments,
+         track,   {},    MeanLaw({}, 0, 0),        MeanLaw({}, 0, 0)};
   c.fast = gather_fast_evidence(session, c.segments, c.track);
   const Range range = gyro_range(session);
   c.law_before = MeanLaw(converter_of(c.fast.codes, session.lsb_dps, false), range.low, range.high);
   c.law_after = MeanLaw(converter_of(c.fast.codes, session.lsb_dps, true), range.low, range.high);
 
-  Diagnosis diagnosis;
   if (!c.track.lost.empty()) diagnosis.notes.push_back(c.track.lost);
   add_notes_on_columns(session, diagnosis.notes);
   std::vector<Finding> fast = fast_findings(c.fast, session.sample_rate_hz);
@@ -349,9 +368,9 @@ Result<Diagnosis> diagnose(const Session& session, const rig::RigModel& model,
   for (std::size_t k = 0; k < gaps.size(); ++k) diagnosis.steps.push_back({added[k], gaps[k]});
   const auto rows_before = predicted_rows(session, c.segments, c.track, sim_before, nullptr);
   const auto rows_after = predicted_rows(session, c.segments, c.track, sim_after, nullptr);
-  for (std::size_t i = 0; i < session.monitor.size(); ++i) {
+  for (std::size_t i = 0; i < measured.monitor.size(); ++i) {
     diagnosis.prediction.push_back(
-        {session.monitor[i].t_s, session.monitor[i].gyro_dps, rows_before[i], rows_after[i]});
+        {measured.monitor[i].t_s, measured.monitor[i].gyro_dps, rows_before[i], rows_after[i]});
   }
   diagnosis.findings.insert(diagnosis.findings.end(), std::make_move_iterator(fast.begin()),
                             std::make_move_iterator(fast.end()));

@@ -67,6 +67,10 @@ bool is_noise(const SlowOption& option) { return option.noise.flicker || option.
 
 bool is_unknown(const SlowOption& option) { return option.finding.effect == "unknown"; }
 
+bool is_curve(const SlowOption& option) {
+  return is_unknown(option) && option.finding.law == "curve";
+}
+
 SlowOption curve_option(const SmoothGain& gain) {
   SlowOption option;
   option.score = gain.nats;

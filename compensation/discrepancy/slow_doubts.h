@@ -13,6 +13,7 @@ inline constexpr double curve_over_name = 1.5;
 
 [[nodiscard]] bool is_noise(const SlowOption& option);
 [[nodiscard]] bool is_unknown(const SlowOption& option);
+[[nodiscard]] bool is_curve(const SlowOption& option);  ///< as curve_option() makes it
 
 /// The curve as something that could be added to the model.
 [[nodiscard]] SlowOption curve_option(const SmoothGain& gain);

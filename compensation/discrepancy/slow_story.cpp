@@ -22,6 +22,9 @@ constexpr double imperfect_law_share = 0.1;
 // When a compressor runs is only guessed from the air.
 constexpr double guessed_law_share = 0.12;
 constexpr double unexplained_share = 0.12;
+// What it leaves is mostly slow, as noise is. What counts this much beside it when all noise is
+// free is no leftover.
+constexpr double no_leftover_share = 0.5;
 
 /// What the model had before the story began.
 struct Given {
@@ -225,11 +228,14 @@ class Story {
       remake(i);
       auto options =
           slow_options(model_, sample_rate_hz_, already(chapters_, excluded_, i), run_all_);
-      const double leftover = expected_leftover(i);
-      const auto best =
-          std::find_if(options.begin(), options.end(), [this, leftover](const SlowOption& option) {
-            return passes(option) && option.score >= leftover;
-          });
+      const Leftover leftover = expected_leftover(i);
+      const auto best = std::find_if(options.begin(), options.end(), [&](const SlowOption& option) {
+        return passes(option) && is_more_than(leftover, option);
+      });
+      if (is_curve(chapters_[i]) && curve_still_leads(best == options.end() ? nullptr : &*best)) {
+        ++i;
+        continue;
+      }
       if (best == options.end()) {
         chapters_.erase(chapters_.begin() + static_cast<std::ptrdiff_t>(i));
         changed = true;
@@ -250,7 +256,7 @@ class Story {
   [[nodiscard]] std::vector<SlowOption>::iterator choose_next(
       std::vector<SlowOption>& options) const {
     const auto enough = [this](const SlowOption& option) {
-      return passes(option) && option.score >= expected_leftover(nobody);
+      return passes(option) && is_more_than(expected_leftover(nobody), option);
     };
     auto best = options.end();
     for (auto option = options.begin(); option != options.end(); ++option) {
@@ -263,15 +269,35 @@ class Story {
   }
 
   /// What the deterministic findings, not being exact, may leave over.
-  [[nodiscard]] double expected_leftover(std::size_t leave_out) const {
-    double most = known_leftover_;
+  struct Leftover {
+    double nats = 0;              ///< noise as it is
+    double strongest_beyond = 0;  ///< of those findings, all noise free [nat]
+  };
+  [[nodiscard]] Leftover expected_leftover(std::size_t leave_out) const {
+    Leftover most{known_leftover_, 0};
     for (std::size_t i = 0; i < chapters_.size(); ++i) {
       const SlowOption& chapter = chapters_[i];
       if (i == leave_out || is_noise(chapter)) continue;
       const bool guessed = chapter.finding.effect == "compressor_vibration";
-      most = std::max(most, (guessed ? guessed_law_share : imperfect_law_share) * chapter.score);
+      most.nats =
+          std::max(most.nats, (guessed ? guessed_law_share : imperfect_law_share) * chapter.score);
+      most.strongest_beyond = std::max(most.strongest_beyond, chapter.beyond_noise);
     }
     return most;
+  }
+
+  [[nodiscard]] bool is_more_than(const Leftover& leftover, const SlowOption& option) const {
+    if (option.score >= leftover.nats) return true;
+    return option.score >= known_leftover_ && !is_noise(option) &&
+           option.beyond_noise >= surely_no_noise_nats &&
+           option.beyond_noise >= no_leftover_share * leftover.strongest_beyond;
+  }
+
+  /// Whether a curve, taken out, still says more beyond all noise than any effect in its place.
+  [[nodiscard]] bool curve_still_leads(const SlowOption* best) const {
+    const SmoothGain curve = smooth_gains(model_).front();
+    return curve.nats >= unknown_gate_nats &&
+           (best == nullptr || curve_beats_chance(curve, *best) || curve_beats_name(curve, *best));
   }
 
   /// Nature has one fault, seldom two. Where three or more laws are needed, they are the words of
@@ -282,14 +308,20 @@ class Story {
              fmt::format("{} such parts are needed", chapters_.size()));
   }
 
-  /// Beside something larger that has no name, a name may be no more than a word for its remainder.
+  /// Beside something larger that has no name, a name may be no more than a word for its remainder;
+  /// and what a curve leaves of a drift that follows more than one driver wanders as noise does.
   void withdraw_shadows() {
     double unknown = 0;
+    bool curved = false;
     for (const SlowOption& chapter : chapters_) {
       if (is_unknown(chapter)) unknown = std::max(unknown, chapter.score);
+      curved = curved || is_curve(chapter);
     }
     withdraw([unknown](const SlowOption& chapter) { return chapter.score < unknown; },
              "something larger without a name is there too");
+    if (!curved) return;
+    withdraw([](const SlowOption& chapter) { return is_noise(chapter); },
+             "a drift without a name is there too, and what its curve leaves over wanders");
   }
 
   /// Keeps what these chapters describe and takes their names away.
