@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <string_view>
+
 #include "daemon/cli/command.h"
 #include "daemon/cli/mistyped.h"
 #include "daemon/cli/outcome.h"
@@ -15,6 +17,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1, 1);
   Chosen chosen;
   add_all_commands(app, chosen);
+  char version[] = "version";
+  if (argc == 2 && std::string_view(argv[1]) == "--version") argv[1] = version;
   switch (app.parse(argc, argv)) {
     case Parsed::helped:
       return exit_done;

@@ -19,6 +19,10 @@ for file in "$prefix/bin/gyrocal" "$prefix/bin/gyrocald" \
   [ -s "$root$file" ] || complain "$file is not installed"
 done
 
+for program in gyrocal gyrocald; do
+  "$root$prefix/bin/$program" --version | grep -qx "$program [0-9.]*" || complain "$program --version"
+done
+
 # Every conffile of the package is installed, where the prefix is the machine's own.
 if [ "$prefix" = /usr ] || [ "$prefix" = /usr/local ]; then
   while read -r file; do
