@@ -99,7 +99,7 @@ soak: build
 	  ctest --preset $$preset -j $(JOBS)
 	done
 	for fuzz in fuzz_board fuzz_modbus fuzz_recording fuzz_campaign_toml fuzz_session_csv; do
-	  $(BUILD)/tests/fuzz/$$fuzz 10000000
+	  $(BUILD)/tests/fuzz/$${fuzz}_sanitized 10000000
 	done
 	$(BUILD)/tests/faults/fault_campaigns $(SEEDS) $(FIRST)
 	$(BUILD)/tests/faults/fault_campaigns clean $(SEEDS) $(FIRST)

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <string_view>
 
 #include "config/daemon_settings.h"
 #include "daemon/cli/command_line.h"
@@ -96,12 +95,9 @@ int run(runner::RunRequest request, const DaemonSettings& settings) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc == 2 && std::string_view(argv[1]) == "--version") {
-    fmt::print("gyrocald {}\n", GYROCAL_VERSION);
-    return cli::exit_done;
-  }
   cli::Command app{"gyrocald: runs one calibration campaign, and goes on with it after a crash",
                    "gyrocald"};
+  app.add_version_flag("gyrocald " GYROCAL_VERSION);
   runner::RunRequest request;
   std::string database;
   std::string settings_path;

@@ -112,6 +112,10 @@ Option* Command::add_flag(const std::string& names, std::optional<bool>& to,
   return keep(app_->add_flag(names, to, description));
 }
 
+Option* Command::add_version_flag(const std::string& text) {
+  return keep(app_->set_version_flag("--version", text, "print the version and exit"));
+}
+
 Option* Command::add_word(const std::string& names, std::vector<std::string> words,
                           const std::string& description,
                           std::function<void(const std::string&)> take) {

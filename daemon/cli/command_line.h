@@ -86,6 +86,8 @@ class Command {
   Option* add_flag(const std::string& names, bool& to, const std::string& description);
   Option* add_flag(const std::string& names, std::optional<bool>& to,
                    const std::string& description);
+  /// `--version` prints this and ends the program.
+  Option* add_version_flag(const std::string& text);
   /// An option whose words stand for values.
   template <class T>
   Option* add_named(const std::string& names, T& to, const std::map<std::string, T>& values,

@@ -1,10 +1,9 @@
 #include <fmt/core.h>
 
-#include <string_view>
-
 #include "daemon/cli/command.h"
 #include "daemon/cli/mistyped.h"
 #include "daemon/cli/outcome.h"
+#include "gyrocal_version.h"
 
 int main(int argc, char** argv) {
   using namespace gyrocal::cli;
@@ -14,11 +13,10 @@ int main(int argc, char** argv) {
       "         gyrocal COMMAND --help\n"
       "Calibrates the zero drift of MEMS gyroscopes over temperature.",
       "gyrocal"};
+  app.add_version_flag("gyrocal " GYROCAL_VERSION);
   app.require_subcommand(1, 1);
   Chosen chosen;
   add_all_commands(app, chosen);
-  char version[] = "version";
-  if (argc == 2 && std::string_view(argv[1]) == "--version") argv[1] = version;
   switch (app.parse(argc, argv)) {
     case Parsed::helped:
       return exit_done;

@@ -45,6 +45,13 @@ TEST_CASE("a session directory goes into a database and comes out again", "[cli]
   CHECK(again.lsb_dps == 0.25);
 }
 
+TEST_CASE("the version is told as an option and as a command", "[cli]") {
+  const auto told = run_gyrocal("--version");
+  CHECK(told.exit_code == 0);
+  CHECK(told.out == run_gyrocal("version").out);
+  CHECK(told.out.starts_with("gyrocal "));
+}
+
 TEST_CASE("gyrocal db lists the campaigns, people's way and as JSON", "[cli][store]") {
   const TemporaryFolder folder;
   make_database(folder / "a.db");
