@@ -115,7 +115,8 @@ SOURCE_DATE_EPOCH ?= $(shell git log -1 --format=%ct 2>/dev/null || stat -c %Y C
 export SOURCE_DATE_EPOCH
 deb: PACKAGES += dpkg-dev file gzip
 deb: packages
-	@mkdir -p build
+	@umask 022  # the package's folders get it
+	mkdir -p build
 	cmake --preset package >build/configure-package.log
 	cmake --build --preset package -j $(JOBS)
 	cd build/package && cpack >cpack.log || { cat cpack.log >&2; exit 1; }

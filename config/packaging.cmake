@@ -13,12 +13,9 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME gyrocal)
 set(CPACK_PACKAGE_VENDOR gyrocal)
 set(CPACK_PACKAGE_CONTACT "the gyrocal developers <gyrocal@example.org>")
-set(CPACK_PACKAGE_DESCRIPTION "Drives a climate chamber, logs gyro boards at each setpoint into SQLite, fits drift\nmodels with honest errors and writes them as firmware files; holds each session\nagainst a simulation and names the physical effect that it lacks.")
+set(CPACK_PACKAGE_DESCRIPTION "Drives a climate chamber, logs gyro boards at each setpoint into SQLite, fits\ndrift models with honest errors and writes them as firmware files; holds each\nsession against a simulation and names the physical effect that it lacks.")
 set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
 set(CPACK_STRIP_FILES ON)
-# Folders of a package must not depend on who built it.
-set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
-    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
