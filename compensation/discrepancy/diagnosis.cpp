@@ -262,11 +262,11 @@ Result<Diagnosis> diagnose(const Session& measured, const rig::RigModel& model,
   if (!given) return tl::unexpected(given.error());
 
   Diagnosis diagnosis;
-  const std::vector<Segment> segments = split_segments(measured);
-  const Track track = make_track(measured, segments, model.baseline);
+  std::vector<Segment> segments = split_segments(measured);
+  Track track = make_track(measured, segments, model.baseline);
   const Session session = out_of_gap_shadows(measured, track, diagnosis.notes);
-  Case c{session, model, axis_index(session.axis), segments,
-         track,   {},    MeanLaw({}, 0, 0),        MeanLaw({}, 0, 0)};
+  Case c{session,          model, axis_index(session.axis), std::move(segments),
+         std::move(track), {},    MeanLaw({}, 0, 0),        MeanLaw({}, 0, 0)};
   c.fast = gather_fast_evidence(session, c.segments, c.track);
   const Range range = gyro_range(session);
   c.law_before = MeanLaw(converter_of(c.fast.codes, session.lsb_dps, false), range.low, range.high);

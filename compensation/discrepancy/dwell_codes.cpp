@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include "compensation/discrepancy/median.h"
 #include "compensation/discrepancy/slow_story.h"
@@ -173,12 +174,13 @@ Rail find_rail(std::span<const DwellData> dwells, double lsb, bool upper, bool h
   return {gain, sign * static_cast<double>(code) * lsb};
 }
 
-/// Spread of a dwell as a rail leaves it: that of the side away from the rail; 0 where half of the
-/// dwell lies on one, so that nothing tells it.
-double sd_beside_rails(const Shape& shape, double lsb, const CodeFindings& findings) {
+/// Spread of a dwell as a rail leaves it: that of the side away from the rail; none where half of
+/// the dwell lies on one.
+std::optional<double> sd_beside_rails(const Shape& shape, double lsb,
+                                      const CodeFindings& findings) {
   const bool upper = findings.upper_nats > gate_nats, lower = findings.lower_nats > gate_nats;
-  if (upper && shape.median > findings.upper_dps - lsb / 2) return 0;
-  if (lower && shape.median < findings.lower_dps + lsb / 2) return 0;
+  if (upper && shape.median > findings.upper_dps - lsb / 2) return std::nullopt;
+  if (lower && shape.median < findings.lower_dps + lsb / 2) return std::nullopt;
   if (upper == lower) return shape.sd;
   return upper ? shape.below : shape.above;
 }
@@ -188,9 +190,9 @@ void find_outliers(std::span<const DwellData> dwells, double lsb, CodeFindings& 
   double total = 0, size = 0, up = 0;
   for (const DwellData& dwell : dwells) {
     const Shape shape = shape_of(dwell, lsb);
-    const double told_sd = sd_beside_rails(shape, lsb, findings);
-    if (told_sd == 0 && shape.sd > 0) continue;
-    const double sd = std::max({told_sd, 0.35 * lsb, 1e-12});
+    const auto told_sd = sd_beside_rails(shape, lsb, findings);
+    if (!told_sd) continue;
+    const double sd = std::max({*told_sd, 0.35 * lsb, 1e-12});
     total += static_cast<double>(dwell.y_dps.size());
     for (const double y : dwell.y_dps) {
       const double z = std::abs(y - shape.median) / sd;
