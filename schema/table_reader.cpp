@@ -33,12 +33,10 @@ Result<TableReader> TableReader::open(const std::string& path, const std::string
   if (!names) return tl::unexpected(names.error());
   if (std::find(names->begin(), names->end(), table) == names->end()) {
     const std::vector<std::string_view> known(names->begin(), names->end());
-    const auto near = nearest_name(table, known);
     std::string list;
     for (const auto& name : *names) list += (list.empty() ? "" : " ") + name;
-    return fail(
-        Errc::unknown_name, fmt::format("{}: no table or view \"{}\"", path, table),
-        (near.empty() ? "" : fmt::format("is \"{}\" meant? ", near)) + "there are: " + list);
+    return fail(Errc::unknown_name, fmt::format("{}: no table or view \"{}\"", path, table),
+                is_meant(table, known) + "there are: " + list);
   }
   auto rows = database->prepare(fmt::format("SELECT * FROM \"{}\"", table));
   if (!rows) return tl::unexpected(rows.error());

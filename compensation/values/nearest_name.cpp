@@ -1,5 +1,7 @@
 #include "compensation/values/nearest_name.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -43,6 +45,13 @@ std::string nearest_name(std::string_view asked, std::span<const std::string_vie
 std::string is_meant(std::string_view asked, std::span<const std::string_view> known) {
   const auto near = nearest_name(asked, known);
   return near.empty() ? near : "is \"" + near + "\" meant? ";
+}
+
+std::string known_names(std::string_view what, std::string_view asked,
+                        std::span<const std::string_view> known) {
+  const auto near = nearest_name(asked, known);
+  return fmt::format("known {}: {}{}", what, fmt::join(known, " "),
+                     near.empty() ? "" : fmt::format("; is {} meant?", near));
 }
 
 }  // namespace gyrocal

@@ -15,4 +15,10 @@ namespace gyrocal {
 /// For the advice of an error: "is \"fit\" meant? ", or empty if nothing is near.
 [[nodiscard]] std::string is_meant(std::string_view asked, std::span<const std::string_view> known);
 
+/// The whole advice for a word that is none of a closed set: "known modes: zero constant; is zero
+/// meant?".
+/// @param what  what the names are of, in the plural.
+[[nodiscard]] std::string known_names(std::string_view what, std::string_view asked,
+                                      std::span<const std::string_view> known);
+
 }  // namespace gyrocal

@@ -1,6 +1,6 @@
 #include "compensation/wavelet/boundary.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <vector>
 
@@ -65,10 +65,8 @@ Result<Boundary> find_boundary(std::string_view name) {
     if (name_of(boundary) == name) return boundary;
     known.push_back(name_of(boundary));
   }
-  const auto near = nearest_name(name, known);
   return fail(Errc::unknown_name, fmt::format("unknown boundary mode '{}'", name),
-              fmt::format("known modes: {}{}", fmt::join(known, " "),
-                          near.empty() ? "" : fmt::format("; is {} meant?", near)));
+              known_names("modes", name, known));
 }
 
 double continued(std::span<const double> signal, std::ptrdiff_t index, Boundary boundary) {

@@ -1,6 +1,6 @@
 #include "compensation/wavelet/denoise.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,10 +48,9 @@ Result<DenoiseRule> find_denoise_rule(std::string_view name) {
       known.push_back(rule);
     }
   }
-  const auto near = nearest_name(name, std::vector<std::string_view>(known.begin(), known.end()));
-  return fail(Errc::unknown_name, fmt::format("unknown rule '{}'", name),
-              fmt::format("known rules: {}{}", fmt::join(known, " "),
-                          near.empty() ? "" : fmt::format("; is {} meant?", near)));
+  return fail(
+      Errc::unknown_name, fmt::format("unknown rule '{}'", name),
+      known_names("rules", name, std::vector<std::string_view>(known.begin(), known.end())));
 }
 
 DenoiseSettings default_denoise_settings() {

@@ -37,10 +37,8 @@ Result<const FilterBank*> find_filter_bank(std::string_view name) {
   }
   std::vector<std::string_view> known;
   for (const FilterBank& bank : filter_banks()) known.emplace_back(bank.name);
-  const auto near = nearest_name(name, known);
   return fail(Errc::unknown_name, fmt::format("unknown wavelet '{}'", name),
-              fmt::format("known wavelets: {}{}", fmt::join(known, " "),
-                          near.empty() ? "" : fmt::format("; is {} meant?", near)));
+              known_names("wavelets", name, known));
 }
 
 }  // namespace gyrocal

@@ -37,6 +37,12 @@ const Command* subcommand_named(const Command& command, const std::string& name)
   return nullptr;
 }
 
+std::vector<std::string> subcommand_names(const Command& command) {
+  std::vector<std::string> names;
+  for (const auto& each : command.subcommands()) names.push_back(each->name());
+  return names;
+}
+
 std::vector<std::string> path_of(const Command& command) {
   std::vector<std::string> words;
   for (const Command* at = &command; at->parent() != nullptr; at = at->parent()) {

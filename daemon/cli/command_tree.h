@@ -17,6 +17,9 @@ struct Described {
 /// The one of that name below a command; nullptr: none.
 [[nodiscard]] const Command* subcommand_named(const Command& command, const std::string& name);
 
+/// The names of the commands below one, in the order they were added.
+[[nodiscard]] std::vector<std::string> subcommand_names(const Command& command);
+
 /// The words that call it: {"gyrocal", "rig", "serve"}.
 [[nodiscard]] std::vector<std::string> path_of(const Command& command);
 

@@ -29,8 +29,7 @@ std::vector<std::string> long_flags(const Option& option) {
 
 /// What may follow a command: its commands, its options.
 std::string words_after(const Command& command) {
-  std::vector<std::string> words;
-  for (const auto& each : command.subcommands()) words.push_back(each->name());
+  std::vector<std::string> words = subcommand_names(command);
   for (const auto& option : command.options()) {
     for (const auto& flag : long_flags(*option)) words.push_back(flag);
   }
@@ -116,8 +115,7 @@ std::string fish_condition(const Command& command) {
   for (std::size_t i = 1; i < path.size(); ++i) {
     condition += fmt::format("__fish_seen_subcommand_from {}; and ", path[i]);
   }
-  std::vector<std::string> below;
-  for (const auto& each : command.subcommands()) below.push_back(each->name());
+  const std::vector<std::string> below = subcommand_names(command);
   return condition +
          (below.empty() ? "true"
                         : fmt::format("not __fish_seen_subcommand_from {}", fmt::join(below, " ")));

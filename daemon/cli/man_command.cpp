@@ -35,10 +35,8 @@ int print_one(const Command& root, const std::vector<std::string>& words) {
   for (const auto& word : words) {
     const Command* const next = subcommand_named(*at, word);
     if (next == nullptr) {
-      std::vector<std::string> known;
-      for (const auto& each : at->subcommands()) known.push_back(each->name());
       return report({Errc::unknown_name, fmt::format("no command is named \"{}\"", word),
-                     one_of(word, "there are", known)});
+                     one_of(word, "there are", subcommand_names(*at))});
     }
     at = next;
   }

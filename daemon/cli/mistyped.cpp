@@ -35,8 +35,7 @@ const Option* option_named(const Command& command, const std::string& flag) {
 
 /// A word that is no command where one is due, or nearly one where a file may stand too.
 std::string mistyped_command(const Command& command, const std::string& word) {
-  std::vector<std::string> known;
-  for (const auto& each : command.subcommands()) known.push_back(each->name());
+  const std::vector<std::string> known = subcommand_names(command);
   const auto near = nearest_name(word, std::vector<std::string_view>(known.begin(), known.end()));
   if (known.empty() || (near.empty() && has_positional(command))) return {};
   return sentence("command", word, command, known);

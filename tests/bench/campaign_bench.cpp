@@ -84,10 +84,6 @@ Rows replay_rows(const std::string& recording, double frames) {
                  "both passes; stored and compared")};
 }
 
-void append(Rows& to, Rows from) {
-  for (Row& row : from) to.push_back(std::move(row));
-}
-
 }  // namespace
 
 Rows campaign_rows() {

@@ -176,10 +176,6 @@ Rows backup_rows(const std::string& path, const std::string& copy) {
                  fmt::format("{} groups", group_s.size()))};
 }
 
-void append(Rows& to, Rows from) {
-  for (Row& row : from) to.push_back(std::move(row));
-}
-
 }  // namespace
 
 Rows query_rows() {

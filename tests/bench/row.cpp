@@ -83,6 +83,10 @@ Row failed(const std::string& job, const std::string& why) {
   return number(job, "failed", "", {}, why);
 }
 
+void append(Rows& to, Rows from) {
+  for (Row& row : from) to.push_back(std::move(row));
+}
+
 void print_head() {
   fmt::print("{:<48} {:<25} {:<18} {:<25} {:>7} {:>10} {:<3} {}\n", "job", "gyrocal", "peer",
              "the peer took", "ratio", "wanted", "met", "beside it");

@@ -20,6 +20,7 @@ struct Row {
   std::string beside;  ///< accuracy, equality, what else was seen
 };
 using Rows = std::vector<Row>;
+void append(Rows& to, Rows from);
 
 /// "12.3 us [11.9, 14.0]"
 [[nodiscard]] std::string shown_s(const Spread& seconds);
