@@ -11,12 +11,6 @@
 namespace gyrocal {
 namespace {
 
-struct Problem {
-  Errc code;
-  int line;
-  std::string text;
-};
-
 /// A value as a person wrote it, near enough to find it.
 std::string shown(const toml::node& node) {
   if (const auto* s = node.as_string()) {
@@ -47,6 +41,11 @@ int line_of(const toml::node& node) { return static_cast<int>(node.source().begi
 }  // namespace
 
 struct TomlFile::Impl {
+  struct Problem {
+    Errc code;
+    int line;
+    std::string text;
+  };
   toml::table table;
   std::string path;
   std::vector<Problem> problems;
@@ -122,9 +121,9 @@ std::optional<Error> TomlFile::problems() const {
   if (impl_->problems.empty()) return std::nullopt;
   auto sorted = impl_->problems;
   std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const Problem& a, const Problem& b) { return a.line < b.line; });
+                   [](const auto& a, const auto& b) { return a.line < b.line; });
   std::string what;
-  for (const Problem& problem : sorted) what += (what.empty() ? "" : "\n  ") + problem.text;
+  for (const auto& problem : sorted) what += (what.empty() ? "" : "\n  ") + problem.text;
   return Error{sorted.front().code, what, ""};
 }
 

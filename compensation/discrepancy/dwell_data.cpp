@@ -7,7 +7,7 @@
 namespace gyrocal {
 namespace {
 
-constexpr std::size_t samples_min = 32;
+constexpr std::size_t fitted_samples_min = 32;
 
 void detrend(DwellData& data) {
   const auto n = static_cast<double>(data.y_dps.size());
@@ -65,7 +65,7 @@ std::vector<DwellData> dwell_data(const Session& session, std::span<const Segmen
     data.y_dps.push_back(sample.gyro_dps);
     data.seq.push_back(sample.seq);
   }
-  std::erase_if(all, [](const DwellData& data) { return data.y_dps.size() < samples_min; });
+  std::erase_if(all, [](const DwellData& data) { return data.y_dps.size() < fitted_samples_min; });
   for (DwellData& data : all) {
     data.t_start_s = data.t_s.front();
     detrend(data);

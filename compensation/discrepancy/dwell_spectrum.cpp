@@ -10,7 +10,6 @@ namespace gyrocal {
 namespace {
 
 constexpr std::size_t fine = 2;  // zero padding: bins per 1/length
-constexpr std::size_t samples_min = 64;
 constexpr std::size_t lines_max = 6;
 
 /// Power per bin from 0 to the folding frequency, scaled so that white noise of variance v has
@@ -83,7 +82,7 @@ DwellSpectrum dwell_spectrum(std::span<const DwellData> dwells, double sample_ra
     n = n == 0 ? length : std::min(n, length);
   }
   n -= n % 2;
-  if (dwells.empty() || n < samples_min) return spectrum;
+  if (dwells.empty() || n < spectrum_samples_min) return spectrum;
   spectrum.samples = static_cast<int>(n);
   spectrum.dwells = static_cast<int>(dwells.size());
   spectrum.bin_hz = sample_rate_hz / static_cast<double>(fine * n);

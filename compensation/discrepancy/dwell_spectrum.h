@@ -7,6 +7,9 @@
 
 namespace gyrocal {
 
+/// A shorter dwell has no spectrum.
+inline constexpr std::size_t spectrum_samples_min = 64;
+
 /// Periodograms of several dwells over one frequency axis, each bin over its smooth background:
 /// white noise of any level has mean 1, and the sum over K dwells is Gamma(K).
 struct DwellSpectrum {

@@ -13,12 +13,13 @@
 namespace gyrocal {
 namespace {
 
-constexpr int replicas = 40;
+constexpr int gap_replicas = 40;
 constexpr int minutes_per_segment = 20;
 constexpr double square_cap = 400;
 
 /// E[z^2] where mean and deviation come from this many replicas themselves.
-constexpr double replica_inflation = (1.0 + 1.0 / replicas) * (replicas - 1.0) / (replicas - 3.0);
+constexpr double replica_inflation =
+    (1.0 + 1.0 / gap_replicas) * (gap_replicas - 1.0) / (gap_replicas - 3.0);
 
 struct Minute {
   double measured = 0, simulated = 0, variance = 0, n = 0;
@@ -77,8 +78,9 @@ double channel_gap(const std::array<double, N>& measured,
   double squares = 0;
   for (std::size_t k = 0; k < N; ++k) {
     double mean = 0, second = 0;
-    for (const auto& one : simulated) mean += one[k] / replicas;
-    for (const auto& one : simulated) second += (one[k] - mean) * (one[k] - mean) / (replicas - 1);
+    for (const auto& one : simulated) mean += one[k] / gap_replicas;
+    for (const auto& one : simulated)
+      second += (one[k] - mean) * (one[k] - mean) / (gap_replicas - 1);
     // Counts that never occur in the replicas still have a least step.
     const double variance = std::max(second, 0.02);
     const double off = measured[k] - mean;
@@ -103,7 +105,7 @@ void fast_gap(const Session& session, std::span<const Segment> segments, const T
     std::vector<std::array<double, 2>> link;
     std::array<double, DwellFeatures::bands> level{};
     double sd = 0, lost = 0;
-    for (int r = 0; r < replicas; ++r) {
+    for (int r = 0; r < gap_replicas; ++r) {
       const DwellReplica replica =
           simulate_dwell(dwell, track, simulation, *instances, session.sample_rate_hz,
                          1000 * d + static_cast<std::size_t>(r));
@@ -112,9 +114,9 @@ void fast_gap(const Session& session, std::span<const Segment> segments, const T
       spectrum.push_back(one.spectrum);
       distribution.push_back(one.distribution);
       link.push_back(one.link);
-      for (std::size_t b = 0; b < level.size(); ++b) level[b] += one.spectrum[b] / replicas;
-      sd += one.sd_dps / replicas;
-      lost += one.lost_share / replicas;
+      for (std::size_t b = 0; b < level.size(); ++b) level[b] += one.spectrum[b] / gap_replicas;
+      sd += one.sd_dps / gap_replicas;
+      lost += one.lost_share / gap_replicas;
     }
     measure.spectrum += channel_gap(seen.spectrum, spectrum) / n;
     measure.distribution += channel_gap(seen.distribution, distribution) / n;

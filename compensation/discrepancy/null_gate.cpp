@@ -11,7 +11,7 @@
 namespace gyrocal {
 namespace {
 
-constexpr Eigen::Index replicas = 100;
+constexpr Eigen::Index null_replicas = 100;
 constexpr std::uint32_t null_purpose = 910;
 constexpr double false_share = 0.01;
 constexpr double tail_share = 0.2;
@@ -20,8 +20,8 @@ constexpr double refining_adds_nats = 1.0;
 /// Whitened residuals of sessions without anything, one a column.
 Eigen::MatrixXd null_residuals(const OffDesign& design, Eigen::Index bins) {
   rig::RandomStream noise({1, 0, 0, null_purpose});
-  Eigen::MatrixXd white(bins, replicas);
-  for (Eigen::Index r = 0; r < replicas; ++r) {
+  Eigen::MatrixXd white(bins, null_replicas);
+  for (Eigen::Index r = 0; r < null_replicas; ++r) {
     for (Eigen::Index k = 0; k < bins; ++k) white(k, r) = noise.normal();
   }
   return design.off_white(white);
@@ -46,7 +46,7 @@ double null_gate_nats(const SlowModel& model) {
   const Eigen::MatrixXd residuals = null_residuals(design, model.y().size());
   const Eigen::RowVectorXd energy = residuals.colwise().squaredNorm();
   const auto n = static_cast<double>(model.y().size());
-  std::vector<double> maxima(replicas, 0.0);
+  std::vector<double> maxima(null_replicas, 0.0);
   for (const ScanColumns& entry : scan_columns(model)) {
     const Eigen::MatrixXd white = design.whitener().whiten(entry.columns);
     Eigen::MatrixXd off = design.off_white(white);
@@ -58,7 +58,7 @@ double null_gate_nats(const SlowModel& model) {
         (off.transpose() * residuals).array().square().colwise().maxCoeff();
     // Each shape parameter is paid for, as it is in the search.
     const auto paid = static_cast<double>(entry.rows.front().size() - 1);
-    for (Eigen::Index r = 0; r < replicas; ++r) {
+    for (Eigen::Index r = 0; r < null_replicas; ++r) {
       const double gain = -0.5 * n * std::log1p(-best(r) / energy(r)) - paid;
       double& most = maxima[static_cast<std::size_t>(r)];
       most = std::max(most, gain);

@@ -13,6 +13,7 @@ struct NoiseFamily {
   bool walk = false;
   bool operator==(const NoiseFamily&) const = default;
 };
+inline constexpr NoiseFamily all_noise{.flicker = true, .walk = true};
 
 /// A linear model of the slow stream, noise fitted with it.
 struct SlowFit {

@@ -11,9 +11,8 @@ namespace gyrocal {
 namespace {
 
 constexpr double turns_min = 4;
-constexpr double worth_refining_nats = 8;
+constexpr double line_worth_refining_nats = 8;
 constexpr double cycling_over_neighbours = 20;
-constexpr NoiseFamily all_noise{.flicker = true, .walk = true};
 
 std::vector<double> course_of(const Track& track, double f_hz, double phase_turns) {
   std::vector<double> course;
@@ -120,7 +119,7 @@ std::optional<SlowLine> find_slow_line(const SlowModel& model) {
   for (const SlowNoiseShape& noise : {model.fit_free().shape, model.fit().shape}) {
     int tried = 0;
     for (const Peak& peak : scan(model, noise)) {
-      if (peak.nats < worth_refining_nats || tried == 3) break;
+      if (peak.nats < line_worth_refining_nats || tried == 3) break;
       if (cycling_prominence(model.track(), peak.f_hz) > cycling_over_neighbours) continue;
       ++tried;
       const SlowWhitener whitener(grid, noise);

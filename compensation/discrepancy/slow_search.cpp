@@ -14,9 +14,8 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double worth_refining_nats = 3;
+constexpr double peak_worth_refining_nats = 3;
 constexpr std::size_t starts_per_effect = 4;
-constexpr NoiseFamily all_noise{.flicker = true, .walk = true};
 
 /// A trial of one law and what it gained at one fixed noise.
 struct Trial {
@@ -33,7 +32,7 @@ void take_best(const ScanColumns& entry, const Eigen::VectorXd& gain, std::size_
   for (Eigen::Index i = 0; i < gain.size(); ++i) {
     const bool peak =
         (i == 0 || gain(i) >= gain(i - 1)) && (i + 1 == gain.size() || gain(i) > gain(i + 1));
-    if (!peak || gain(i) < worth_refining_nats) continue;
+    if (!peak || gain(i) < peak_worth_refining_nats) continue;
     trials.push_back(
         {entry.effect, entry.law, entry.rows[static_cast<std::size_t>(i)], gain(i), noise});
   }

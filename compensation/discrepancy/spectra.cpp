@@ -4,14 +4,15 @@
 
 #include "compensation/discrepancy/dwell_data.h"
 #include "compensation/discrepancy/dwell_power.h"
+#include "compensation/discrepancy/dwell_spectrum.h"
 #include "compensation/discrepancy/simulated_dwell.h"
 
 namespace gyrocal {
 namespace {
 
-constexpr std::size_t samples_min = 64;
 constexpr std::size_t points_max = 400;
-constexpr std::uint64_t replicas = 8;  // so that the simulated curve is smoother than the measured
+constexpr std::uint64_t curve_replicas =
+    8;  // so that the simulated curve is smoother than the measured
 
 /// Adds the power of n samples, mean taken off.
 void add_power(std::span<const double> y, std::span<const std::int64_t> seq, std::size_t n,
@@ -45,7 +46,7 @@ std::vector<SpectrumPoint> compare_spectra(const Session& session,
     n = n == 0 ? length : std::min(n, length);
   }
   n -= n % 2;
-  if (n < samples_min) return {};
+  if (n < spectrum_samples_min) return {};
   const std::size_t bins = n / 2, together = (bins + points_max - 1) / points_max;
   const double rate_hz = session.sample_rate_hz;
   const auto per_hz = [&](std::uint64_t runs) {
@@ -64,13 +65,13 @@ std::vector<SpectrumPoint> compare_spectra(const Session& session,
     if (!instances) return {};
     std::fill(power.begin(), power.end(), 0.0);
     for (std::size_t d = 0; d < dwells.size(); ++d) {
-      for (std::uint64_t r = 0; r < replicas; ++r) {
+      for (std::uint64_t r = 0; r < curve_replicas; ++r) {
         const DwellReplica replica =
             simulate_dwell(dwells[d], track, simulation, *instances, rate_hz, 1000 * d + r);
         if (!replica.y.empty()) add_power(replica.y, replica.seq, n, power);
       }
     }
-    const std::vector<double> simulated = thinned(power, together, per_hz(replicas));
+    const std::vector<double> simulated = thinned(power, together, per_hz(curve_replicas));
     for (std::size_t k = 0; k < points.size(); ++k) {
       points[k].simulated_dps2_per_hz.push_back(simulated[k]);
     }

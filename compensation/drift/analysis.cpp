@@ -7,13 +7,12 @@
 #include <numeric>
 
 #include "compensation/drift/held_out.h"
+#include "compensation/drift/list_of.h"
 #include "compensation/drift/sensitivity.h"
 #include "compensation/grey/translation.h"
 
 namespace gyrocal {
 namespace {
-
-std::vector<double> list_of(const Eigen::VectorXd& v) { return {v.begin(), v.end()}; }
 
 double root_mean_square(const std::vector<double>& measured, const std::vector<double>& predicted) {
   return accuracy(measured, predicted).rmse_n;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compensation/drift/list_of.h"
+
 namespace gyrocal {
 namespace {
 
@@ -14,8 +16,6 @@ struct Overloaded : Fs... {
 };
 template <class... Fs>
 Overloaded(Fs...) -> Overloaded<Fs...>;
-
-std::vector<double> list_of(const Eigen::VectorXd& v) { return {v.begin(), v.end()}; }
 
 void add_gm11(std::vector<NamedParameter>& out, const Gm11& model) {
   out.push_back({"a", {model.a_per_step}});

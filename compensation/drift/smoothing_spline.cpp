@@ -23,7 +23,7 @@ struct Pentadiagonal {
 
 /// What does not change with lambda: with Q the second differences and R the Gram matrix of the
 /// hat functions, the second derivatives solve (R + lambda Q' W^-1 Q) second = Q' y.
-struct Problem {
+struct SplineProblem {
   VectorXd step;             // n - 1
   VectorXd inverse_weights;  // n
   VectorXd y;
@@ -32,11 +32,11 @@ struct Problem {
   Pentadiagonal gram, roughness;
 };
 
-Problem problem(const Eigen::Ref<const VectorXd>& x, const Eigen::Ref<const VectorXd>& y,
-                const VectorXd& weights) {
+SplineProblem problem(const Eigen::Ref<const VectorXd>& x, const Eigen::Ref<const VectorXd>& y,
+                      const VectorXd& weights) {
   const Index n = x.size();
   const Index m = n - 2;
-  Problem p;
+  SplineProblem p;
   p.step = x.tail(n - 1) - x.head(n - 1);
   p.inverse_weights =
       weights.size() == 0 ? VectorXd::Ones(n).eval() : weights.cwiseInverse().eval();
@@ -69,7 +69,7 @@ Problem problem(const Eigen::Ref<const VectorXd>& x, const Eigen::Ref<const Vect
 /// sixty splines, and holding every point out in turn takes that for each.
 class Smoother {
  public:
-  explicit Smoother(Problem problem) : p_(std::move(problem)) {
+  explicit Smoother(SplineProblem problem) : p_(std::move(problem)) {
     const Index m = p_.differences.size();
     for (Pentadiagonal* bands : {&system_, &inverse_}) {
       *bands = {VectorXd::Zero(m), VectorXd::Zero(m), VectorXd::Zero(m)};
@@ -98,7 +98,7 @@ class Smoother {
   void invert();
   [[nodiscard]] double generalized_cross_validation(double log_lambda);
 
-  Problem p_;
+  SplineProblem p_;
   Pentadiagonal system_;   ///< gram + lambda roughness, then its L D L'
   Pentadiagonal inverse_;  ///< the five central diagonals of the system's inverse
   VectorXd inner_;         ///< second derivatives at the inner points

@@ -5,11 +5,9 @@
 namespace gyrocal {
 namespace {
 
-constexpr std::uint64_t seed = 1;
-
 rig::SessionPlan as_listed(const rig::SessionPlan& plan) {
   rig::SessionPlan listed = plan;
-  listed.setpoints_c = rig::visits_c(plan, seed);
+  listed.setpoints_c = rig::visits_c(plan, plan_seed);
   listed.revisits_c.clear();
   listed.sweep = rig::Sweep::up;
   return listed;

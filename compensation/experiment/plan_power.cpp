@@ -16,7 +16,6 @@
 namespace gyrocal {
 namespace {
 
-constexpr std::uint64_t seed = 1;
 constexpr Eigen::Index bins_min = 24;
 constexpr double observable_share = 1e-4;  // of a trace's length that the bias curve leaves
 
@@ -126,14 +125,14 @@ Result<std::vector<PlanPair>> pairs_of(const Session& session, const rig::RigMod
 Result<Session> simulated(const rig::SessionPlan& plan, const rig::RigModel& model, Axis axis) {
   if (auto good = rig::check(plan); !good) return tl::unexpected(good.error());
   if (const auto known = rig::instantiate(model); !known) return tl::unexpected(known.error());
-  return rig::simulate_session(model, plan, seed, {0, axis});
+  return rig::simulate_session(model, plan, plan_seed, {0, axis});
 }
 
 Result<PlanContrast> contrast_of(const Session& session, const rig::SessionPlan& plan,
                                  const rig::RigModel& model, Axis axis) {
   auto pairs = pairs_of(session, model, axis);
   if (!pairs) return tl::unexpected(pairs.error());
-  const double end_s = rig::schedule(plan, model.baseline.chamber, seed).end_s;
+  const double end_s = rig::schedule(plan, model.baseline.chamber, plan_seed).end_s;
   return PlanContrast{end_s / 3600, std::move(*pairs)};
 }
 

@@ -10,6 +10,9 @@
 
 namespace gyrocal {
 
+/// Of the shuffle and the simulation that stand for a plan: the same plan is judged the same.
+inline constexpr std::uint64_t plan_seed = 1;
+
 /// An effect that this plan would show.
 struct PlanLimit {
   std::string effect;

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "compensation/firmware/text_scan.h"
+#include "compensation/values/units.h"
 
 namespace gyrocal {
 namespace {
 
-constexpr double rad_per_deg = std::numbers::pi / 180;
 constexpr double scale_factor = 1.0e6;
 
 char capital(std::string_view axis) { return axis == "x" ? 'X' : axis == "y" ? 'Y' : 'Z'; }
@@ -25,7 +24,7 @@ std::string line(const std::string& name, double value) {
   return fmt::format("{},{:.9g}\n", name, static_cast<float>(value));
 }
 
-std::optional<float> parameter(std::string_view text, std::string_view name) {
+std::optional<float> ardupilot_parameter(std::string_view text, std::string_view name) {
   for (const auto row : lines_of(text)) {
     const auto fields = split(row, ',');
     if (fields.size() == 2 && fields[0] == name) return float_of(fields[1]);
@@ -69,7 +68,7 @@ std::string ardupilot_text(std::span<const AxisCubic> axes, int imu, std::string
 Result<ArdupilotGyro> read_ardupilot_text(std::string_view text, int imu, std::string_view axis) {
   std::string missing_name;
   const auto read = [&](const std::string& name) {
-    const auto value = parameter(text, name);
+    const auto value = ardupilot_parameter(text, name);
     if (!value) missing_name = name;
     return value.value_or(0.0F);
   };

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "compensation/firmware/text_scan.h"
+#include "compensation/values/units.h"
 
 namespace gyrocal {
 namespace {
 
-constexpr double rad_per_deg = std::numbers::pi / 180;
 constexpr int mav_int32 = 6;
 constexpr int mav_float = 9;
 
@@ -24,7 +22,7 @@ std::string float_line(const std::string& name, double value) {
 }
 
 /// The value of a parameter in the file; nothing when it is not there.
-std::optional<float> parameter(std::string_view text, std::string_view name) {
+std::optional<float> px4_parameter(std::string_view text, std::string_view name) {
   for (const auto row : lines_of(text)) {
     const auto fields = split(row, '\t');
     if (fields.size() == 5 && fields[2] == name) return float_of(fields[3]);
@@ -71,7 +69,7 @@ Result<Px4Gyro> read_px4_text(std::string_view text, int instance, std::string_v
   std::string missing_name;
   const auto read = [&](const std::string& part) {
     const auto name = fmt::format("TC_G{}_{}", instance, part);
-    const auto value = parameter(text, name);
+    const auto value = px4_parameter(text, name);
     if (!value) missing_name = name;
     return value.value_or(0.0F);
   };

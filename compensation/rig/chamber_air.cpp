@@ -7,9 +7,7 @@
 #include "compensation/values/assert.h"
 
 namespace gyrocal::rig {
-namespace {
-constexpr double two_pi = 6.28318530717958647692;
-}  // namespace
+namespace {}  // namespace
 
 ChamberAir::ChamberAir(const ChamberPhysics& physics) : physics_(physics) {
   segments_.push_back({0.0, physics.ambient_c, physics.ambient_c, false, 0.0});

@@ -36,7 +36,7 @@ double portable_sine(double turns) {
   double part = turns - std::floor(turns + 0.5);  // [-0.5, 0.5)
   if (part > 0.25) part = 0.5 - part;
   if (part < -0.25) part = -0.5 - part;
-  const double x = part * 6.28318530717958647692;
+  const double x = part * two_pi;
   const double square = x * x;
   double sum = 1.0;
   for (int k = 22; k >= 2; k -= 2) sum = 1.0 - sum * square / (k * (k + 1));

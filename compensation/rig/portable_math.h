@@ -2,6 +2,8 @@
 
 namespace gyrocal::rig {
 
+inline constexpr double two_pi = 6.28318530717958647692;
+
 /// exp, log and sine that give the same bits on every machine. The C library chooses variants by
 /// processor at run time and they differ in the last place, which would let one seed give two
 /// different campaigns. Only + - * / of IEEE doubles are used here.

@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <numbers>
 
 namespace gyrocal {
 
@@ -18,6 +19,8 @@ struct Celsius {
 constexpr Kelvin operator-(Celsius a, Celsius b) { return {a.value - b.value}; }
 constexpr Celsius operator+(Celsius t, Kelvin d) { return {t.value + d.value}; }
 constexpr Celsius operator-(Celsius t, Kelvin d) { return {t.value - d.value}; }
+
+inline constexpr double rad_per_deg = std::numbers::pi / 180;
 
 /// Row numbers of the database, kept apart by type.
 enum class CampaignId : std::int64_t {};

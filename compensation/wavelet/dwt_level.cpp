@@ -9,7 +9,6 @@
 namespace gyrocal {
 namespace {
 
-constexpr std::size_t max_half_taps = 15;  // coif5
 constexpr std::size_t edge_pairs_at_once = 16;
 
 /// Outputs [begin, end) of which some see beyond an end of the signal. Output o starts at signal

@@ -4,6 +4,9 @@
 
 namespace gyrocal {
 
+/// Of the longest bank, coif5.
+inline constexpr std::size_t max_half_taps = 15;
+
 /// The inner loops of the transform. Every instruction set adds in the same order with the
 /// same fused multiply-adds (one rounding), so all give the same result to the last bit.
 struct Kernels {

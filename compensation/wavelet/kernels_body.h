@@ -16,7 +16,6 @@
 namespace gyrocal {
 namespace {
 
-constexpr std::size_t max_half_taps = 15;   // coif5
 constexpr std::size_t block_outputs = 512;  // even and odd part of a block stay in the L1 cache
 
 template <class V>

@@ -13,7 +13,7 @@
 namespace gyrocal::cli {
 namespace {
 
-struct Options {
+struct CapsuleOptions {
   replay::CapsuleRequest request;
   std::string from;
   std::string to;
@@ -37,7 +37,7 @@ std::optional<Duration> campaign_time(const std::string& text) {
   return std::nullopt;
 }
 
-Result<void> read_window(Options& options) {
+Result<void> read_window(CapsuleOptions& options) {
   for (auto [text, into] : {std::pair{&options.from, &options.request.from},
                             std::pair{&options.to, &options.request.to}}) {
     if (text->empty()) continue;
@@ -53,7 +53,7 @@ Result<void> read_window(Options& options) {
               fmt::format("--from {} is later than --to {}", options.from, options.to));
 }
 
-int run(Options options) {
+int run(CapsuleOptions options) {
   if (const auto window = read_window(options); !window) return report(window.error());
   options.request.software_version = GYROCAL_VERSION;
   const auto capsule = replay::cut_capsule(options.request);
@@ -89,7 +89,7 @@ void add_capsule(Command& root, Chosen& chosen) {
       "replays it once and says how that went. A run replays from its beginning, so the file\n"
       "holds the bytes from the beginning of the run that --from lies in up to --to; what earlier\n"
       "runs stored is in its database. Without a window: the whole campaign, models included.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CapsuleOptions>();
   command->add_option("database", options->request.database, "the campaign's database")->required();
   command->add_option("--recording", options->request.recording,
                       "default: NAME.recording.db beside the database");

@@ -12,13 +12,13 @@
 namespace gyrocal::cli {
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::string campaign;
   std::string database;
   bool as_json = false;
 };
 
-int check(const Options& options) {
+int check(const CheckOptions& options) {
   const auto config = read_campaign(options.campaign);
   if (!config) return report(config.error());
   const auto lock = runner::lock_chamber(config->chamber);
@@ -45,7 +45,7 @@ void add_check(Command& root, Chosen& chosen) {
                                       "Reads chamber and boards and prints plan, limits, duration "
                                       "and disk need. Writes nothing to\n"
                                       "the chamber, nothing to disk.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckOptions>();
   command->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
   command->add_option("--db", options->database, "database; default: the campaign file's");
   command->add_flag("--json", options->as_json, "print JSON");

@@ -45,7 +45,7 @@ std::string training_sentence(const CompensationJob& job) {
       job.training, job.measured, job.measured_name, job.model.model.loocv_rmse_dps);
 }
 
-nlohmann::ordered_json to_json(const LeftOver& left) {
+nlohmann::ordered_json left_over_json(const LeftOver& left) {
   return {{"mean_dps", left.mean_dps},
           {"standard_deviation_dps", left.standard_deviation_dps},
           {"rms_dps", left.rms_dps},
@@ -86,8 +86,8 @@ int compensate(const CompensateOptions& options) {
                                               {"rows", stream.rate_dps.size()},
                                               {job->measured_name + std::string("_of_training"),
                                                job->training},
-                                              {"before", to_json(before)},
-                                              {"after", to_json(after)}}
+                                              {"before", left_over_json(before)},
+                                              {"after", left_over_json(after)}}
                            .dump());
   } else {
     print_stream(stream, *result);

@@ -23,7 +23,7 @@
 namespace gyrocal::cli {
 namespace {
 
-struct Options {
+struct DiagnoseRequest {
   std::string session, database, board, axis = "z";
   std::string rig_model = default_rig_model, write_rig_model, prediction, report, write_plan;
   std::string campaign;  ///< file of the campaign the session comes from, for write_plan
@@ -31,7 +31,7 @@ struct Options {
   bool all = false, json = false, verdict_as_exit_code = false;
 };
 
-std::optional<WantedAxis> wanted_of(const Options& options) {
+std::optional<WantedAxis> wanted_of(const DiagnoseRequest& options) {
   if (options.all) return std::nullopt;
   return WantedAxis{options.board, options.axis};
 }
@@ -46,7 +46,7 @@ std::string prediction_csv(const Diagnosis& diagnosis) {
   return text;
 }
 
-Result<void> write_report(const Options& options, const Session& session,
+Result<void> write_report(const DiagnoseRequest& options, const Session& session,
                           const Diagnosis& diagnosis) {
   const std::string source = options.database.empty()
                                  ? options.session
@@ -59,7 +59,7 @@ Result<void> write_report(const Options& options, const Session& session,
 }
 
 /// The campaign whose plan left names open: the database's own, or the file given.
-Result<CampaignConfig> campaign_of(const Options& options) {
+Result<CampaignConfig> campaign_of(const DiagnoseRequest& options) {
   if (!options.campaign.empty()) return read_campaign(options.campaign);
   auto store = Store::open_read_only(options.database);
   if (!store) return tl::unexpected(store.error());
@@ -71,7 +71,7 @@ Result<CampaignConfig> campaign_of(const Options& options) {
 }
 
 /// A campaign file that would tell apart the names this session leaves open.
-Result<void> write_plan(const Options& options, const Diagnosis& diagnosis,
+Result<void> write_plan(const DiagnoseRequest& options, const Diagnosis& diagnosis,
                         const rig::RigModel& model, const std::string& axis_name) {
   std::vector<EffectPair> open;
   for (const Finding& finding : diagnosis.findings) {
@@ -110,8 +110,8 @@ int verdict_code(Verdict verdict) {
   return exit_failed;
 }
 
-Result<void> write_files(const Options& options, const rig::RigModel& model, const Subject& subject,
-                         Diagnosis& diagnosis) {
+Result<void> write_files(const DiagnoseRequest& options, const rig::RigModel& model,
+                         const Subject& subject, Diagnosis& diagnosis) {
   diagnosis.model.parent_hash = rig_model_hash(model);
   Result<void> written;
   if (!options.prediction.empty()) {
@@ -129,7 +129,7 @@ Result<void> write_files(const Options& options, const rig::RigModel& model, con
   return written;
 }
 
-int run(const Options& options) {
+int run(const DiagnoseRequest& options) {
   const auto model = read_rig_model(options.rig_model);
   if (!model) return report(model.error());
   const auto subjects = options.database.empty()
@@ -170,7 +170,7 @@ void add_diagnose(Command& root, Chosen& chosen) {
       "Compares a measured session with the simulated rig, names what the simulation lacks and "
       "shows on kept-out dwells how much the gap shrinks. With --db the diagnosis is kept in the "
       "database (view gap_history).");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DiagnoseRequest>();
   auto* session = command->add_option("--session", options->session, "a session directory");
   auto* database = command->add_option("--db", options->database, "a campaign's database");
   session->excludes(database);

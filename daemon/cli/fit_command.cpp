@@ -63,7 +63,7 @@ Result<Analysis> analysed(const FitInput& input, int degree) {
   return analysis;
 }
 
-Json to_json(const Analysis& analysis, const SensorIdentity& sensor) {
+Json analysis_json(const Analysis& analysis, const SensorIdentity& sensor) {
   Json json = analysis_to_json(analysis);
   json["sensor"] = identity_to_json(sensor);
   return json;
@@ -81,7 +81,7 @@ int fit(const FitOptions& options) {
     const auto analysis = analysed(input, options.degree);
     if (!analysis) return report(analysis.error());
     if (options.as_json) {
-      all.push_back(to_json(*analysis, input.sensor));
+      all.push_back(analysis_json(*analysis, input.sensor));
     } else {
       if (inputs->size() > 1) fmt::print("{}\n", input.source);
       print_analysis(*analysis);

@@ -16,7 +16,7 @@ namespace {
 constexpr double tried_for_wall_s =
     50;  ///< the chamber shall be safe a minute after a daemon's death
 
-struct Options {
+struct MakeSafeOptions {
   std::string campaign;
   std::string database;
 };
@@ -34,7 +34,7 @@ Result<bool> hands_off(const std::string& database) {
   return *left == runner::AfterTrip::hands_off;
 }
 
-int make_safe(const Options& options) {
+int make_safe(const MakeSafeOptions& options) {
   const auto config = read_campaign(options.campaign);
   if (!config) return report(config.error());
   const auto off = hands_off(options.database);
@@ -66,7 +66,7 @@ void add_make_safe(Command& root, Chosen& chosen) {
       "Example: gyrocal make-safe weekend.toml\n"
       "Brings the chamber to the campaign's safe setpoint without a daemon, and waits until it is\n"
       "confirmed, up to 50 s. Refused while a campaign commands the chamber: abort that.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MakeSafeOptions>();
   command->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
   command->add_option("--db", options->database,
                       "of the daemon that ended: if it took its hands off the chamber because "

@@ -97,7 +97,8 @@ void print_text(const std::vector<ComparedRow>& rows, const std::vector<std::str
       "model's leave-one-out error.\n");
 }
 
-Json to_json(const std::vector<ComparedRow>& rows, const std::vector<std::string>& swapped) {
+Json comparison_json(const std::vector<ComparedRow>& rows,
+                     const std::vector<std::string>& swapped) {
   Json json;
   json["rows"] = Json::array();
   for (const auto& row : rows) {
@@ -129,7 +130,7 @@ int table_2(bool as_json) {
   const auto rows = compared(*analysis);
   const auto swapped = swapped_figures(rows);
   if (as_json) {
-    fmt::print("{}\n", to_json(rows, swapped).dump());
+    fmt::print("{}\n", comparison_json(rows, swapped).dump());
   } else {
     print_text(rows, swapped);
   }

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct PlanOptions {
   std::string campaign;
   std::string rig_model = default_rig_model;
   std::string axis = "z";
@@ -24,29 +24,29 @@ struct Options {
   bool as_json = false;
 };
 
-struct Answer {
+struct PlanAnswer {
   PlanPower power;
   std::vector<PlanAddition> additions;
 };
 
-Json to_json(const PlanPair& pair) {
+Json pair_json(const PlanPair& pair) {
   return {
       {"effect", pair.effect},         {"rival", pair.rival}, {"share_left", pair.share_left},
       {"apart_from", pair.apart_from}, {"unit", pair.unit},   {"told_apart", is_told_apart(pair)},
       {"tell_apart", pair.tell_apart}};
 }
 
-Json to_json(const Answer& answer) {
+Json answer_json(const PlanAnswer& answer) {
   Json limits = Json::object();
   for (const PlanLimit& limit : answer.power.limits) {
     limits[limit.effect] = {{"amplitude", limit.limit}, {"unit", limit.unit}};
   }
   Json pairs = Json::array();
-  for (const PlanPair& pair : answer.power.pairs) pairs.push_back(to_json(pair));
+  for (const PlanPair& pair : answer.power.pairs) pairs.push_back(pair_json(pair));
   Json additions = Json::array();
   for (const PlanAddition& addition : answer.additions) {
     Json separated = Json::array();
-    for (const PlanPair& pair : addition.separated) separated.push_back(to_json(pair));
+    for (const PlanPair& pair : addition.separated) separated.push_back(pair_json(pair));
     additions.push_back({{"what", addition.what},
                          {"extra_h", addition.extra_h},
                          {"separates", std::move(separated)}});
@@ -88,7 +88,7 @@ void print_additions(const std::vector<PlanAddition>& additions) {
   }
 }
 
-void print_text(const Answer& answer) {
+void print_text(const PlanAnswer& answer) {
   fmt::print("{} dwells, {:.1f} h on the simulated rig\n\nSmallest amplitudes it would show\n",
              answer.power.dwells, answer.power.duration_h);
   for (const PlanLimit& limit : answer.power.limits) {
@@ -101,7 +101,7 @@ void print_text(const Answer& answer) {
   print_additions(answer.additions);
 }
 
-int plan(const Options& options) {
+int plan(const PlanOptions& options) {
   const auto config = read_campaign(options.campaign);
   if (!config) return report(config.error());
   const auto model = read_rig_model(options.rig_model);
@@ -112,9 +112,9 @@ int plan(const Options& options) {
   if (!power) return report(power.error());
   auto additions = plan_additions(session, *model, axis, *power);
   if (!additions) return report(additions.error());
-  const Answer answer{std::move(*power), std::move(*additions)};
+  const PlanAnswer answer{std::move(*power), std::move(*additions)};
   if (options.as_json) {
-    fmt::print("{}\n", to_json(answer).dump());
+    fmt::print("{}\n", answer_json(answer).dump());
   } else {
     print_text(answer);
   }
@@ -134,7 +134,7 @@ void add_plan(Command& root, Chosen& chosen) {
       "Example: gyrocal plan weekend.toml --write weekend_apart.toml\n"
       "Says before a campaign which effects it would show, from which amplitude on, which pairs of "
       "drifts its plan could not tell apart, and what the cheapest additions would change.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlanOptions>();
   command->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
   command->add_option("--rig-model", options->rig_model, "file, or the name of a shipped model")
       ->capture_default_str();

@@ -11,7 +11,7 @@
 namespace gyrocal::cli {
 namespace {
 
-struct Options {
+struct ReplayOptions {
   std::string recording;
   std::string against;
   std::string campaign;
@@ -19,7 +19,7 @@ struct Options {
   bool as_json = false;
 };
 
-int run(const Options& options) {
+int run(const ReplayOptions& options) {
   replay::ReplayRequest request;
   request.recording = options.recording;
   if (!options.against.empty()) request.against = options.against;
@@ -47,7 +47,7 @@ void add_replay(Command& root, Chosen& chosen) {
       "devices and without waiting, twice, and compares with the campaign's database: what was\n"
       "written to the devices, every decision, sample and model. A recording that a crash cut off\n"
       "is replayed up to its end. Exit: 0 the same, 4 it differs, with the first difference.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReplayOptions>();
   command->add_option("recording", options->recording, "NAME.recording.db, or a capsule")
       ->required();
   command->add_option("--against", options->against,

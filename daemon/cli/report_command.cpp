@@ -13,7 +13,7 @@
 namespace gyrocal::cli {
 namespace {
 
-struct Options {
+struct ReportOptions {
   std::string database;
   std::string out;
   std::string format = "html";
@@ -42,7 +42,7 @@ Result<std::string> one_figure(const report::CampaignFacts& facts, const std::st
               one_of(wanted, "--figure takes one of", names));
 }
 
-int write_report(const Options& options) {
+int write_report(const ReportOptions& options) {
   const auto facts = report::read_campaign_facts(options.database);
   if (!facts) return report(facts.error());
   const auto text = options.format == "svg" ? one_figure(*facts, options.figure)
@@ -60,7 +60,7 @@ void add_report(Command& root, Chosen& chosen) {
       "Example: gyrocal report --db weekend.db -o weekend.html\n"
       "Example: gyrocal report --db weekend.db --format svg --figure board0_z_drift -o drift.svg\n"
       "Writes the latest campaign as one self-contained HTML file, or one of its figures.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReportOptions>();
   command->add_option("--db", options->database, "a campaign's database")->required();
   command->add_option("-o,--out", options->out, "the file to write")->required();
   auto* format = command->add_option("--format", options->format, "html or svg")

@@ -14,7 +14,7 @@
 namespace gyrocal::cli {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string campaign;
   std::string database;
   bool resume = false;
@@ -41,7 +41,7 @@ int exit_code(const runner::Outcome& outcome) {
   return exit_safe_state;
 }
 
-int run(const Options& options) {
+int run(const RunOptions& options) {
   runner::RunRequest request;
   request.campaign_path = options.campaign;
   if (!options.database.empty()) request.database = options.database;
@@ -75,7 +75,7 @@ void add_run(Command& root, Chosen& chosen) {
       "chamber\n"
       "to its safe setpoint and ends; --resume goes on. Exit: 0 finished, 1 failed, 2 usage or\n"
       "campaign file, 3 ended in its safe state, stopped or aborted.");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunOptions>();
   command->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
   command->add_option("--db", options->database, "database; default: the campaign file's");
   command->add_flag("--resume", options->resume,

@@ -15,7 +15,7 @@
 namespace gyrocal::cli {
 namespace {
 
-struct Options {
+struct StatusOptions {
   std::string campaign;
   bool as_json = false;
   bool watch = false;
@@ -66,7 +66,7 @@ Result<std::string> socket_meant(std::string campaign) {
               "name one of them");
 }
 
-int tell(const std::string& command, const Options& options) {
+int tell(const std::string& command, const StatusOptions& options) {
   const auto path = socket_meant(options.campaign);
   if (!path) return report(path.error());
   if (options.watch) return watch_campaign(*path, options.as_json);
@@ -92,13 +92,13 @@ int tell(const std::string& command, const Options& options) {
 
 struct Added {
   Command* command;
-  std::shared_ptr<Options> options;
+  std::shared_ptr<StatusOptions> options;
 };
 
 Added add_one(Command& root, Chosen& chosen, const std::string& name, const std::string& help) {
   auto* command =
       root.add_subcommand(name, fmt::format("Example: gyrocal {} weekend\n{}", name, help));
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StatusOptions>();
   command->add_option("campaign", options->campaign,
                       "its name or its file; default: the one that runs");
   command->add_flag("--json", options->as_json, "print JSON");

@@ -8,12 +8,11 @@
 
 #include "compensation/drift/allan.h"
 #include "compensation/drift/allan_pieces.h"
+#include "daemon/report/figure.h"
 #include "daemon/runner/analysis.h"
 
 namespace gyrocal::report {
 namespace {
-
-constexpr double to_mdps = 1000;
 
 std::vector<std::pair<double, double>> dwells_h(const CampaignFacts& facts) {
   std::vector<std::pair<double, double>> ranges;

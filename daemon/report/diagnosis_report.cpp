@@ -8,13 +8,12 @@
 
 #include "compensation/discrepancy/segments.h"
 #include "compensation/rig/effects/catalogue.h"
+#include "daemon/report/figure.h"
 #include "daemon/report/gnuplot.h"
 #include "daemon/report/page.h"
 
 namespace gyrocal::report {
 namespace {
-
-constexpr double to_mdps = 1000;
 
 std::string sentence_of(const Diagnosis& diagnosis) {
   std::vector<std::string> names;

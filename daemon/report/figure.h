@@ -6,6 +6,8 @@
 
 namespace gyrocal::report {
 
+inline constexpr double to_mdps = 1000;  ///< from deg/s
+
 /// What one curve shows. A point whose y is NaN leaves a gap.
 struct Curve {
   enum class Style {

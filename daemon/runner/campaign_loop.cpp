@@ -15,7 +15,6 @@ namespace {
 
 using campaign::Presence;
 
-constexpr Duration monitor_interval = seconds(campaign::monitor_interval_s);
 constexpr int polls_before_unknown = 3;
 constexpr Duration doubt_told_every = std::chrono::minutes{10};
 constexpr double machine_look_every_utc_s = 60;

@@ -5,7 +5,6 @@
 namespace gyrocal::runner {
 namespace {
 
-constexpr Duration monitor_interval = seconds(campaign::monitor_interval_s);
 /// Frames of an ended interval still come this late: the parser holds the last one back until the
 /// next proves it, and the link has its own latency.
 constexpr Duration frames_are_late_by = std::chrono::seconds{2};

@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "compensation/values/records.h"
+#include "daemon/campaign/plan.h"
 #include "drivers/clock.h"
 
 namespace gyrocal::runner {
+
+inline constexpr Duration monitor_interval = seconds(campaign::monitor_interval_s);
 
 /// Sums of one board's samples over one interval of the slow stream.
 struct SlowInterval {

@@ -11,7 +11,7 @@ namespace gyrocal::status {
 namespace {
 
 /// A label's value: backslash, quote and line feed are escaped.
-std::string quoted(std::string_view text) {
+std::string label_value(std::string_view text) {
   std::string safe;
   for (const char c : text) {
     if (c == '\\' || c == '"') safe += '\\';
@@ -27,7 +27,7 @@ std::string quoted(std::string_view text) {
 class Text {
  public:
   explicit Text(const std::string& campaign)
-      : campaign_(fmt::format("campaign=\"{}\"", quoted(campaign))) {}
+      : campaign_(fmt::format("campaign=\"{}\"", label_value(campaign))) {}
 
   void family(std::string_view name, std::string_view type, std::string_view help) {
     name_ = name;
@@ -51,7 +51,7 @@ class Text {
 };
 
 std::string label(const BoardView& board) {
-  return fmt::format("board=\"{}\"", quoted(board.name));
+  return fmt::format("board=\"{}\"", label_value(board.name));
 }
 
 template <class Value>
@@ -94,7 +94,7 @@ void add_boards(Text& text, const std::vector<BoardView>& boards) {
 std::string metrics_text(const View& view) {
   Text text(view.facts.campaign);
   text.family("gyrocal_build_info", "gauge", "always 1; the version is a label");
-  text.value(1, fmt::format("version=\"{}\"", quoted(view.facts.software_version)));
+  text.value(1, fmt::format("version=\"{}\"", label_value(view.facts.software_version)));
   text.family("gyrocal_campaign_state", "gauge", "1 for the present state, 0 for every other");
   const std::string state = view.now ? view.now->state : "preflight";
   for (const std::string_view name : campaign::state_names()) {

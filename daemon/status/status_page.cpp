@@ -22,13 +22,13 @@ constexpr int gathered_per_view = 10;  ///< a view a second: what a page shows
 
 double machine_s(const Clock& clock) { return to_seconds(clock.now().time_since_epoch()); }
 
-class Serving final : public StatusPage {
+class ServedPage final : public StatusPage {
  public:
-  explicit Serving(Facts facts)
+  explicit ServedPage(Facts facts)
       : facts_(facts),
         live_(std::move(facts)),
         feed_(live_.at(clock_.utc_ns(), machine_s(clock_))) {}
-  ~Serving() override {
+  ~ServedPage() override {
     {
       const std::lock_guard lock(mutex_);
       stopping_ = true;
@@ -73,15 +73,15 @@ class Serving final : public StatusPage {
   std::unique_ptr<HttpServer> server_;  // goes first: its threads read the feed
 };
 
-void Serving::gather() { live_.report(mailbox_.take(), machine_s(clock_)); }
+void ServedPage::gather() { live_.report(mailbox_.take(), machine_s(clock_)); }
 
-void Serving::look_back(CampaignId campaign, Duration t) {
+void ServedPage::look_back(CampaignId campaign, Duration t) {
   auto past = read_past(facts_, campaign, t);
   if (past) return live_.remember(std::move(past->events), past->history);
   fmt::print(stderr, "gyrocald: warning: the page begins empty: {}\n", to_text(past.error()));
 }
 
-void Serving::work() {
+void ServedPage::work() {
   std::unique_lock lock(mutex_);
   for (int turn = 1; !stopping_; ++turn) {
     const auto begun = std::exchange(begun_, std::nullopt);
@@ -99,7 +99,7 @@ void Serving::work() {
 }  // namespace
 
 Result<std::unique_ptr<StatusPage>> StatusPage::start(const StatusSettings& settings, Facts facts) {
-  auto serving = std::make_unique<Serving>(std::move(facts));
+  auto serving = std::make_unique<ServedPage>(std::move(facts));
   if (auto begun = serving->begin(settings); !begun) return tl::unexpected(begun.error());
   return serving;
 }

@@ -2,6 +2,7 @@
 
 #include "compensation/rig/rig_model.h"
 #include "compensation/rig/session_plan.h"
+#include "compensation/rig/simulate_session.h"
 #include "compensation/values/records.h"
 
 namespace gyrocal {
@@ -20,6 +21,10 @@ inline rig::SessionPlan short_up_down() {
   plan.sweep = rig::Sweep::up_down;
   plan.samples_per_dwell = 1000;
   return plan;
+}
+
+[[nodiscard]] inline Session quiet_session(std::uint64_t seed) {
+  return rig::simulate_session(quiet_rig(), short_up_down(), seed);
 }
 
 /// The session with a drift added that no effect of the catalogue makes.

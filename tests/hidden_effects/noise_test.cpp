@@ -2,11 +2,8 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 /// One-sided power density at a frequency, averaged over non-overlapping Hann windows. A direct
 /// sum, so that it shares nothing with the synthesis under test.
@@ -18,7 +15,7 @@ double density_at(const std::vector<double>& series, double cycles_per_sample, s
     for (std::size_t i = 0; i < window; ++i)
       mean += series[start + i] / static_cast<double>(window);
     for (std::size_t i = 0; i < window; ++i) {
-      const double angle = turn * static_cast<double>(i);
+      const double angle = hidden::full_turn * static_cast<double>(i);
       const double hann = 0.5 - 0.5 * std::cos(angle / static_cast<double>(window));
       re += hann * (series[start + i] - mean) * std::cos(angle * cycles_per_sample);
       im += hann * (series[start + i] - mean) * std::sin(angle * cycles_per_sample);
@@ -42,7 +39,7 @@ TEST_CASE("flicker has the density B^2/(2 pi f) over three decades") {
     double averaged = 0.0;  // neighbouring bins, to scatter less
     for (int k = -3; k <= 3; ++k) {
       const double at = hz * (1.0 + k / 12.0);
-      averaged += density_at(noise, at, window) / (b * b / (turn * at)) / 7.0;
+      averaged += density_at(noise, at, window) / (b * b / (hidden::full_turn * at)) / 7.0;
     }
     CHECK(averaged == Approx(1.0).margin(0.25));
   }

@@ -1,7 +1,6 @@
 // Effects that stand in no catalogue: what a finder must admit it does not know.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "tests/hidden_effects/slow_laws.h"
@@ -9,7 +8,6 @@
 namespace hidden {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 using OfSecond = std::function<double(const Trajectory&, std::size_t)>;
 
 SlowLaw outsider(const std::string& law, std::map<std::string, double> parameters, OfSecond value) {
@@ -29,9 +27,9 @@ SlowLaw outsider(const std::string& law, std::map<std::string, double> parameter
 
 SlowLaw supply_ripple(Random& random) {
   const double period_s = random.log_uniform(700.0, 3300.0);
-  const double phase = random.uniform(0.0, turn);
+  const double phase = random.uniform(0.0, full_turn);
   return outsider("supply_ripple", {{"period_s", period_s}}, [=](const Trajectory&, std::size_t i) {
-    const double angle = turn * static_cast<double>(i) / period_s + phase;
+    const double angle = full_turn * static_cast<double>(i) / period_s + phase;
     return 0.5 * std::sin(angle) + 0.1 * std::sin(2.0 * angle + 1.0);
   });
 }
@@ -66,10 +64,10 @@ SlowLaw humidity_bursts(const Trajectory& over, Random& random) {
 
 SlowLaw sine_in_temperature(Random& random) {
   const double period_c = random.uniform(8.0, 15.0);
-  const double phase = random.uniform(0.0, turn);
+  const double phase = random.uniform(0.0, full_turn);
   return outsider("sine_in_temperature", {{"period_c", period_c}},
                   [=](const Trajectory& at, std::size_t i) {
-                    return 0.5 * std::sin(turn * at.die_c[i] / period_c + phase);
+                    return 0.5 * std::sin(full_turn * at.die_c[i] / period_c + phase);
                   });
 }
 
@@ -80,7 +78,8 @@ SlowLaw chirp(const Trajectory& over, Random& random) {
   return outsider(
       "chirp", {{"from_hz", slow_hz}, {"to_hz", fast_hz}}, [=](const Trajectory&, std::size_t i) {
         const double t_s = static_cast<double>(i);
-        return 0.5 * std::sin(turn * (slow_hz + 0.5 * (fast_hz - slow_hz) * t_s / end_s) * t_s);
+        return 0.5 *
+               std::sin(full_turn * (slow_hz + 0.5 * (fast_hz - slow_hz) * t_s / end_s) * t_s);
       });
 }
 

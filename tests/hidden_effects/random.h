@@ -3,10 +3,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
+#include <numbers>
 #include <random>
 #include <vector>
 
 namespace hidden {
+
+inline constexpr double full_turn = 2.0 * std::numbers::pi;  ///< [rad]
 
 /// One seeded stream of chance. Everything a case draws comes from one of these, so a case is
 /// a function of its seed alone.

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace hidden {
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;
 
 double to_step(double value, double step) { return step * std::round(value / step); }
 
@@ -52,12 +49,15 @@ std::int64_t burst_length(double mean, Random& random) {
 class WanderingLine {
  public:
   WanderingLine(double hz, double wander_hz, double memory_s, Random& random)
-      : hz_(hz), wander_hz_(wander_hz), memory_s_(memory_s), phase_(random.uniform(0.0, turn)) {}
+      : hz_(hz),
+        wander_hz_(wander_hz),
+        memory_s_(memory_s),
+        phase_(random.uniform(0.0, full_turn)) {}
   void each_second(Random& random) {
     off_hz_ += -off_hz_ / memory_s_ + wander_hz_ * std::sqrt(2.0 / memory_s_) * random.normal();
-    phase_ = std::fmod(phase_, turn);
+    phase_ = std::fmod(phase_, full_turn);
   }
-  double advance(double step_s) { return phase_ += turn * (hz_ + off_hz_) * step_s; }
+  double advance(double step_s) { return phase_ += full_turn * (hz_ + off_hz_) * step_s; }
 
  private:
   double hz_, wander_hz_, memory_s_, phase_;

@@ -6,13 +6,12 @@
 #include <cmath>
 
 #include "compensation/rig/effects/catalogue.h"
+#include "compensation/rig/portable_math.h"
 #include "compensation/values/assert.h"
 #include "compensation/values/nearest_name.h"
 
 namespace gyrocal::rig {
 namespace {
-
-constexpr double two_pi = 6.28318530717958647692;
 
 /// Advice for a name that none of `items` has.
 template <class Items, class Name>

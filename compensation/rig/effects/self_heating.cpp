@@ -5,7 +5,7 @@
 namespace gyrocal::rig {
 namespace {
 
-Parameter time_constant() {
+Parameter warm_up_time() {
   return {"tau", "s", 10.0, 7200.0, 600.0, Spacing::logarithmic, "warm-up after power-on"};
 }
 
@@ -16,7 +16,7 @@ class Die final : public Law {
              "T += dT (1 - exp(-t_on/tau))",
              false,
              {{"dt", "degC", -10.0, 10.0, 1.5, Spacing::linear, "final rise of the die"},
-              time_constant(),
+              warm_up_time(),
               {"board_share", "1", 0.0, 1.0, 0.3, Spacing::linear,
                "of the rise that the board's sensor sees"}}}) {}
   std::unique_ptr<Response> drift(Values p, const CubicBias& bias) const override {
@@ -39,7 +39,7 @@ class Direct final : public Law {
              "b += A exp(-t_on/tau)",
              true,
              {{"a", "dps", -2.0, 2.0, 0.02, Spacing::linear, "drift at power-on"},
-              time_constant()}}) {}
+              warm_up_time()}}) {}
   std::unique_ptr<Response> drift(Values p, const CubicBias&) const override {
     return pointwise(
         [a = p[0], tau = p[1]](const Drivers& now) { return a * portable_exp(-now.t_on_s / tau); });

@@ -4,9 +4,9 @@
 namespace gyrocal::rig {
 namespace {
 
-class Proportional final : public Law {
+class ProportionalToRate final : public Law {
  public:
-  Proportional()
+  ProportionalToRate()
       : Law({"proportional",
              "b += k r",
              true,
@@ -27,7 +27,7 @@ Effect temperature_rate() {
       "changes sign with their direction and vanishes when the temperature stands still.",
       Scope::axis,
       slow_drift,
-      laws<Proportional>(),
+      laws<ProportionalToRate>(),
       {{"thermal_lag", "ramps where the bias is flat over temperature: a lag shows nothing there"},
        {"compressor_vibration", "line power in the dwells while the chamber cools"},
        {"stress_relaxation", "a long soak: relaxation goes on after the rate is zero"}}};

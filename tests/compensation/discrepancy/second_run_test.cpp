@@ -12,8 +12,6 @@ using namespace gyrocal;
 
 namespace {
 
-Session quiet_session() { return rig::simulate_session(quiet_rig(), short_up_down(), 21); }
-
 Session with_effect(const rig::EffectUse& use) {
   rig::RigModel model = quiet_rig();
   model.effects.push_back(use);
@@ -49,7 +47,7 @@ TEST_CASE("a named effect is in the model of the second run") {
 }
 
 TEST_CASE("a drift with a time scale of its own is kept as a term over time") {
-  const auto first = told_then_settled(with_drift(quiet_session(), [](double t_s) {
+  const auto first = told_then_settled(with_drift(quiet_session(21), [](double t_s) {
     return 0.01 * std::sin(2 * std::numbers::pi * (1e-4 + 4e-9 * t_s) * t_s);
   }));
   CHECK(first.verdict == Verdict::unexplained);
@@ -78,7 +76,7 @@ TEST_CASE("a curve over temperature is kept with its fitted size") {
 }
 
 TEST_CASE("a line of no known machine is kept as a phase that turns with it") {
-  const auto first = told_then_settled(with_drift(quiet_session(), [](double t_s) {
+  const auto first = told_then_settled(with_drift(quiet_session(21), [](double t_s) {
     return 0.03 * std::sin(2 * std::numbers::pi * 13.7 * t_s);
   }));
   CHECK(first.verdict == Verdict::unexplained);

@@ -11,8 +11,6 @@ using namespace gyrocal;
 
 namespace {
 
-Session quiet_session() { return rig::simulate_session(quiet_rig(), short_up_down(), 11); }
-
 void check_told_as_unknown(const Session& session) {
   const auto found = diagnose(session, {}, {});
   REQUIRE(found.has_value());
@@ -23,14 +21,14 @@ void check_told_as_unknown(const Session& session) {
 }  // namespace
 
 TEST_CASE("a drift that sweeps in frequency is told as unknown, not as a random walk") {
-  check_told_as_unknown(with_drift(quiet_session(), [](double t_s) {
+  check_told_as_unknown(with_drift(quiet_session(11), [](double t_s) {
     return 0.01 * std::sin(2 * std::numbers::pi * (1e-4 + 4e-9 * t_s) * t_s);
   }));
 }
 
 TEST_CASE("pulses by the clock are told as unknown, not as a telegraph") {
   check_told_as_unknown(with_drift(
-      quiet_session(), [](double t_s) { return std::fmod(t_s, 2200.0) < 500 ? 0.01 : 0.0; }));
+      quiet_session(11), [](double t_s) { return std::fmod(t_s, 2200.0) < 500 ? 0.01 : 0.0; }));
 }
 
 TEST_CASE("a random walk and flicker keep their names") {

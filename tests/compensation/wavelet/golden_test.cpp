@@ -9,9 +9,9 @@ using namespace gyrocal;
 
 namespace {
 
-constexpr double tolerance = 1e-9;
+constexpr double golden_tolerance = 1e-9;
 
-double largest_difference(std::span<const double> ours, const nlohmann::json& golden) {
+double off_golden(std::span<const double> ours, const nlohmann::json& golden) {
   if (ours.size() != golden.size()) return INFINITY;
   double largest = 0.0;
   for (std::size_t i = 0; i < ours.size(); ++i) {
@@ -42,22 +42,23 @@ TEST_CASE("coefficients, thresholds and denoised signals are the golden ones",
     const auto& bands = golden.at("coeffs_cA_then_cD_coarse_to_fine");
     REQUIRE(approximation.coefficients.bands() == bands.size());
     for (std::size_t band = 0; band < bands.size(); ++band) {
-      CHECK(largest_difference(approximation.coefficients.band(band), bands[band]) < tolerance);
+      CHECK(off_golden(approximation.coefficients.band(band), bands[band]) < golden_tolerance);
     }
-    CHECK(std::abs(approximation.sigma - golden.at("sigma_mad").get<double>()) < tolerance);
-    CHECK(largest_difference(approximation.denoised, golden.at("approximation_only")) < tolerance);
+    CHECK(std::abs(approximation.sigma - golden.at("sigma_mad").get<double>()) < golden_tolerance);
+    CHECK(off_golden(approximation.denoised, golden.at("approximation_only")) < golden_tolerance);
 
     const Denoised soft = denoised(golden, "soft-universal");
     for (const double threshold : soft.thresholds) {
-      CHECK(std::abs(threshold - golden.at("threshold_universal").get<double>()) < tolerance);
+      CHECK(std::abs(threshold - golden.at("threshold_universal").get<double>()) <
+            golden_tolerance);
     }
-    CHECK(largest_difference(soft.denoised, golden.at("denoised_soft_universal")) < tolerance);
-    CHECK(largest_difference(denoised(golden, "hard-universal").denoised,
-                             golden.at("denoised_hard_universal")) < tolerance);
+    CHECK(off_golden(soft.denoised, golden.at("denoised_soft_universal")) < golden_tolerance);
+    CHECK(off_golden(denoised(golden, "hard-universal").denoised,
+                     golden.at("denoised_hard_universal")) < golden_tolerance);
 
     const Denoised bayes = denoised(golden, "soft-bayes");
-    CHECK(largest_difference(bayes.thresholds, golden.at("bayes_thresholds_coarse_to_fine")) <
-          tolerance);
-    CHECK(largest_difference(bayes.denoised, golden.at("denoised_soft_bayes")) < tolerance);
+    CHECK(off_golden(bayes.thresholds, golden.at("bayes_thresholds_coarse_to_fine")) <
+          golden_tolerance);
+    CHECK(off_golden(bayes.denoised, golden.at("denoised_soft_bayes")) < golden_tolerance);
   }
 }

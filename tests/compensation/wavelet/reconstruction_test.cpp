@@ -24,7 +24,9 @@ double largest_difference(std::span<const double> a, std::span<const double> b) 
 }
 
 /// The symlets' published filters are that far from orthonormal.
-double tolerance(const FilterBank& bank) { return bank.name.starts_with("sym") ? 2e-10 : 2e-14; }
+double reconstruction_tolerance(const FilterBank& bank) {
+  return bank.name.starts_with("sym") ? 2e-10 : 2e-14;
+}
 
 }  // namespace
 
@@ -44,7 +46,7 @@ TEST_CASE("a signal comes back from its coefficients, whatever wavelet, mode, le
           decompose_into(signal, wavelet, workspace, bands);
           reconstruct_into(bands, wavelet, workspace, back);
           const double difference = largest_difference(signal, back);
-          if (!(difference < tolerance(bank))) {
+          if (!(difference < reconstruction_tolerance(bank))) {
             CAPTURE(bank.name, name_of(boundary), length, level, difference);
             FAIL("not reconstructed");
           }

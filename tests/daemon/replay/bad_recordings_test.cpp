@@ -8,8 +8,8 @@ namespace {
 
 using runner::TemporaryFolder;
 
-struct Recorded {
-  Recorded() { REQUIRE(record_virtually(folder, small_campaign, quiet())); }
+struct RecordedQuietly {
+  RecordedQuietly() { REQUIRE(record_virtually(folder, small_campaign, quiet())); }
   TemporaryFolder folder;
   std::string recording = folder / "small.recording.db";
 };
@@ -28,7 +28,7 @@ bool says(const Error& error, const std::string& part) {
 }  // namespace
 
 SCENARIO("files that are no recording, of a newer format, empty or damaged are refused by name") {
-  const Recorded recorded;
+  const RecordedQuietly recorded;
   const TemporaryFolder& folder = recorded.folder;
   const std::string text = folder.write("notes.recording.db", "not a database at all\n");
   CHECK(says(refusal({text}), "file is not a database"));
@@ -64,7 +64,7 @@ SCENARIO("files that are no recording, of a newer format, empty or damaged are r
 }
 
 SCENARIO("without its database, or with another's, a recording is not compared") {
-  const Recorded recorded;
+  const RecordedQuietly recorded;
   const TemporaryFolder& folder = recorded.folder;
   std::filesystem::rename(folder / "small.db", folder / "elsewhere.db");
   CHECK(says(refusal({recorded.recording}), "small.db: no such database to compare with"));

@@ -44,7 +44,7 @@ class ServedRig {
   ServedRig(const ServedRig&) = delete;
   ServedRig& operator=(const ServedRig&) = delete;
 
-  test::TemporaryDirectory directory;
+  gyrocal::test::TemporaryDirectory directory;
   std::string link = directory.file("board0");
   int port = 0;
 
