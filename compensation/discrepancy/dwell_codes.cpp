@@ -157,16 +157,27 @@ Rail find_rail(std::span<const DwellData> dwells, double lsb, bool upper, bool h
   for (auto later = seen.upper_bound(code); later != seen.end(); ++later) {
     seen_beyond += later->second;
   }
+  bool in_last_code = false;
+  double least_sd = 0;  // of the others
   for (const DwellData& dwell : dwells) {
     const Shape shape = shape_of(dwell, lsb);
     const double rounded_sd = upper ? shape.below : shape.above;
-    if (rounded_sd < coarse_sd_lsb * lsb) return {};
+    if (rounded_sd < coarse_sd_lsb * lsb) {
+      if (code_of(sign * shape.median, lsb) != code) return {};
+      in_last_code = true;
+      beyond += static_cast<double>(dwell.y_dps.size()) / 2;
+      continue;
+    }
+    least_sd = least_sd > 0 ? std::min(least_sd, rounded_sd) : rounded_sd;
     const double sd = std::sqrt(rounded_sd * rounded_sd - lsb * lsb / 12);
     const auto n = static_cast<double>(dwell.y_dps.size());
     const double edge = (static_cast<double>(code) + 0.5) * lsb - sign * shape.median;
     beyond += n * upper_tail((edge + (holes ? 2 * lsb : 0)) / sd);
     on += n * (upper_tail((edge - lsb) / sd) - upper_tail(edge / sd));
   }
+  // A dwell that keeps to the last code lies beyond it only if noise spreads every other over
+  // codes.
+  if (in_last_code && (least_sd < lsb)) return {};
   if (last->second < on + 0.3 * beyond) return {};
   const double gain =
       beyond - seen_beyond + (seen_beyond > 0 ? seen_beyond * std::log(seen_beyond / beyond) : 0.0);

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "config/rig_model.h"
 #include "daemon/cli/command.h"
 #include "daemon/cli/outcome.h"
 #include "daemon/runner/model_table.h"
@@ -14,13 +15,14 @@
 namespace gyrocal::cli {
 namespace {
 
-struct RunOptions {
+struct RunArguments {
   std::string campaign;
   std::string database;
   bool resume = false;
   bool in_virtual_time = false;
   std::optional<bool> record;
   std::uint64_t seed = 1;
+  std::string rig_model = default_rig_model;
 };
 
 void print_models(const Store& store, CampaignId campaign, const std::string& database) {
@@ -41,12 +43,16 @@ int exit_code(const runner::Outcome& outcome) {
   return exit_safe_state;
 }
 
-int run(const RunOptions& options) {
+int run(const RunArguments& options) {
   runner::RunRequest request;
   request.campaign_path = options.campaign;
   if (!options.database.empty()) request.database = options.database;
   request.resume = options.resume;
-  if (options.in_virtual_time) request.virtual_seed = options.seed;
+  if (options.in_virtual_time) {
+    const auto model = read_rig_model(options.rig_model);
+    if (!model) return report(model.error());
+    request.virtual_rig = {options.seed, *model};
+  }
   request.record = options.record;
   request.software_version = GYROCAL_VERSION;
 
@@ -75,7 +81,7 @@ void add_run(Command& root, Chosen& chosen) {
       "chamber\n"
       "to its safe setpoint and ends; --resume goes on. Exit: 0 finished, 1 failed, 2 usage or\n"
       "campaign file, 3 ended in its safe state, stopped or aborted.");
-  const auto options = std::make_shared<RunOptions>();
+  const auto options = std::make_shared<RunArguments>();
   command->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
   command->add_option("--db", options->database, "database; default: the campaign file's");
   command->add_flag("--resume", options->resume,
@@ -84,6 +90,9 @@ void add_run(Command& root, Chosen& chosen) {
       "--virtual", options->in_virtual_time,
       "simulated devices in process, in virtual time: hours in a second, the same every time");
   command->add_option("--seed", options->seed, "of the simulated noise")
+      ->needs(in_virtual_time)
+      ->capture_default_str();
+  command->add_option("--rig-model", options->rig_model, "file, or name of a shipped one")
       ->needs(in_virtual_time)
       ->capture_default_str();
   command->add_flag("--record,!--no-record", options->record,

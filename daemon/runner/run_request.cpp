@@ -152,7 +152,7 @@ Result<Outcome> run_requested(
     const std::function<void(const Store&, CampaignId, const std::string& database)>& report) {
   auto config = read_campaign(request.campaign_path);
   if (!config) return tl::unexpected(config.error());
-  if (request.virtual_seed && !config->simulated) {
+  if (request.virtual_rig && !config->simulated) {
     return fail(Errc::bad_input,
                 request.campaign_path + ": its devices are real, they cannot run in virtual time",
                 "set simulated = true in [campaign], or leave --virtual out");
@@ -164,18 +164,18 @@ Result<Outcome> run_requested(
   if (!before) return tl::unexpected(before.error());
   if (*before) {
     const bool tripped = std::holds_alternative<campaign::Safe>((*before)->state);
-    if (!tripped || request.virtual_seed) return **before;
+    if (!tripped || request.virtual_rig) return **before;
     auto done = complete_wired_trip(*config, *store, (*before)->campaign, request, path);
     if (!done) return tl::unexpected(done.error());
     return **before;
   }
 
-  RunOptions options = request.virtual_seed ? virtual_options(*config) : wired_options(*config);
+  RunOptions options = request.virtual_rig ? virtual_options(*config) : wired_options(*config);
   options.software_version = request.software_version;
   options.resume = request.resume;
   RunHooks watched = hooks;
   watched.bytes_free = [&path] { return disk_room(path); };
-  const bool in_virtual_time = request.virtual_seed.has_value();
+  const bool in_virtual_time = request.virtual_rig.has_value();
   std::optional<RunRecording> recording;
   if (request.record.value_or(!in_virtual_time)) {
     auto run = recorded_run(*config, *store, options, in_virtual_time);
@@ -186,8 +186,8 @@ Result<Outcome> run_requested(
   auto outcome = [&] {
     RunRecording* const into = recording ? &*recording : nullptr;
     if (!in_virtual_time) return run_wired(*config, *store, options, watched, into);
-    const auto owned = virtual_devices(*config, rig::RigModel{}, *request.virtual_seed,
-                                       into ? into->writer() : nullptr);
+    const auto owned = virtual_devices(*config, request.virtual_rig->model,
+                                       request.virtual_rig->seed, into ? into->writer() : nullptr);
     return run_recorded(*config, *owned, *store, options, watched);
   }();
   const bool has_models = outcome && std::holds_alternative<campaign::Finished>(outcome->state);

@@ -4,9 +4,16 @@
 #include <optional>
 #include <string>
 
+#include "compensation/rig/rig_model.h"
 #include "daemon/runner/campaign_runner.h"
 
 namespace gyrocal::runner {
+
+/// What stands for chamber and boards.
+struct VirtualRig {
+  std::uint64_t seed = 1;
+  rig::RigModel model;
+};
 
 /// What somebody asks for who wants a campaign run.
 struct RunRequest {
@@ -14,8 +21,8 @@ struct RunRequest {
   std::optional<std::string> database;  ///< instead of the campaign file's
   bool resume = false;                  ///< go on with what the database holds
   bool unattended = false;  ///< leave a campaign alone that has ended, or tripped: no person asks
-  std::optional<std::uint64_t> virtual_seed;  ///< the simulated rig in process, in virtual time
-  std::optional<bool> record;  ///< into NAME.recording.db; default: on real endpoints
+  std::optional<VirtualRig> virtual_rig;  ///< in process, in virtual time
+  std::optional<bool> record;             ///< into NAME.recording.db; default: on real endpoints
   std::string software_version;
 };
 

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "config/text_file.h"
 #include "schema/sqlite.h"
 #include "tests/daemon/cli/run_gyrocal.h"
 
@@ -23,6 +24,28 @@ std::string campaign_with_hysteresis(const std::string& name) {
   const std::string database = path_of(name + ".db");
   std::filesystem::remove(database);
   REQUIRE(run_gyrocal("import " + folder + " --db " + database).exit_code == 0);
+  return database;
+}
+
+/// A campaign of two boards in one chamber whose air is moist, and board axes alike in nothing
+/// else.
+std::string campaign_in_moist_air(const std::string& name) {
+  json rig = json::parse(*read_text_file(GYROCAL_SOURCE_DIR "/config/rig_models/quiet.json"));
+  rig["name"] = "moist";
+  rig["effects"] = {
+      {{"effect", "condensation_step"},
+       {"law", "film"},
+       {"parameters", {{"a", 0.06}, {"t_dew", 4}, {"tau_on", 120}, {"tau_off", 1800}}},
+       {"axes", "xyz"}}};
+  const std::string model = temporary_file("moist.json", rig.dump());
+  std::string plan = *read_text_file(GYROCAL_SOURCE_DIR "/config/campaigns/demo.toml");
+  const std::string long_dwells = "samples_per_setpoint = 3000";
+  plan.replace(plan.find(long_dwells), long_dwells.size(), "samples_per_setpoint = 600");
+  const std::string database = path_of(name + ".db");
+  std::filesystem::remove(database);
+  const auto ran = run_gyrocal("run " + temporary_file("moist.toml", plan) +
+                               " --virtual --seed 5 --rig-model " + model + " --db " + database);
+  REQUIRE(ran.exit_code == 0);
   return database;
 }
 
@@ -68,4 +91,17 @@ TEST_CASE("--all tells for each effect who shows it", "[cli]") {
   REQUIRE(all["shared"].size() == 1);
   CHECK(all["shared"][0]["effect"] == "thermal_hysteresis");
   CHECK(all["shared"][0]["origin"] == "unclear");  // one board tells nothing of the room
+}
+
+TEST_CASE("--all finds that moist air is common to both boards of a campaign", "[cli]") {
+  const std::string database = campaign_in_moist_air("moist");
+  const auto ran = run_gyrocal("diagnose --db " + database + " --all --jobs 2 --json");
+  REQUIRE(ran.exit_code == 0);
+  const json all = json::parse(ran.out);
+  CAPTURE(all["shared"].dump());
+  REQUIRE(all["diagnoses"].size() == 6);
+  REQUIRE_FALSE(all["shared"].empty());
+  CHECK(all["shared"][0]["effect"] == "condensation_step");
+  CHECK(all["shared"][0]["origin"] == "environment");
+  CHECK(all["shared"][0]["seen_in"].size() >= 5);
 }

@@ -43,7 +43,7 @@ inline Result<runner::Outcome> record_virtually(const runner::TemporaryFolder& f
   runner::RunRequest request;
   request.campaign_path = folder.write("small.toml", text);
   request.database = folder / "small.db";
-  request.virtual_seed = 7;
+  request.virtual_rig = runner::VirtualRig{7, {}};
   request.record = true;
   request.resume = resume;
   request.software_version = "test";

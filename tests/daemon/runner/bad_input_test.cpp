@@ -174,7 +174,7 @@ SCENARIO("virtual time is for simulated devices only; an unknown filter is found
   text = replaced(text, "time_scale = 300", "time_scale = 1");
   RunRequest request;
   request.campaign_path = folder.write("real.toml", text);
-  request.virtual_seed = 1;
+  request.virtual_rig = VirtualRig{1, {}};
   const auto real = run_requested(request, {}, [](auto&&...) {});
   REQUIRE_FALSE(real);
   CHECK(real.error().code == Errc::bad_input);

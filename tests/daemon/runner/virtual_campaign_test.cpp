@@ -17,7 +17,7 @@ Outcome run_virtual(const std::string& database, std::uint64_t seed) {
   RunRequest request;
   request.campaign_path = demo;
   request.database = database;
-  request.virtual_seed = seed;
+  request.virtual_rig = VirtualRig{seed, {}};
   request.software_version = "test";
   RunHooks hooks;
   hooks.log = [](const EventInsert&) {};
@@ -101,7 +101,7 @@ SCENARIO("a database with a campaign that has ended takes another; one not ended
   RunRequest request;
   request.campaign_path = demo;
   request.database = folder / "a.db";
-  request.virtual_seed = 9;
+  request.virtual_rig = VirtualRig{9, {}};
   RunHooks hooks;
   hooks.log = [](const EventInsert&) {};
   const auto third = run_requested(request, hooks, [](auto&&...) {});
@@ -117,7 +117,7 @@ SCENARIO("a stop anywhere is made good by --resume: no dwell lost, none twice") 
     RunRequest request;
     request.campaign_path = demo;
     request.database = folder / "a.db";
-    request.virtual_seed = 7;
+    request.virtual_rig = VirtualRig{7, {}};
     RunHooks hooks;
     hooks.log = [](const EventInsert&) {};
     int turns = 0;

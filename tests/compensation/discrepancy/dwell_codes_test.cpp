@@ -1,0 +1,65 @@
+#include "compensation/discrepancy/dwell_codes.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "compensation/discrepancy/slow_story.h"
+
+using namespace gyrocal;
+
+namespace {
+
+constexpr double lsb_dps = 0.05;
+constexpr double sd_dps = 0.2;
+
+/// Dwells whose rates climb towards a rail at 5 dps: the last of them lie on it by more than half.
+std::vector<DwellData> climbing_to(double highest_dps) {
+  std::mt19937_64 random(17);
+  std::normal_distribution<double> noise(0, sd_dps);
+  std::vector<DwellData> dwells(12);
+  for (std::size_t d = 0; d < dwells.size(); ++d) {
+    DwellData& dwell = dwells[d];
+    dwell.dwell = static_cast<int>(d);
+    dwell.t_start_s = 1800.0 * static_cast<double>(d);
+    const double rate_dps = 3.0 + (highest_dps - 3.0) * static_cast<double>(d) / 11.0;
+    for (int i = 0; i < 2000; ++i) {
+      const double y = std::round((rate_dps + noise(random)) / lsb_dps) * lsb_dps;
+      dwell.y_dps.push_back(std::min(y, 5.0));
+      dwell.t_s.push_back(dwell.t_start_s + i / 50.0);
+      dwell.seq.push_back(i);
+      dwell.mean_dps += dwell.y_dps.back() / 2000;
+    }
+    for (const double y : dwell.y_dps) dwell.residual_dps.push_back(y - dwell.mean_dps);
+  }
+  return dwells;
+}
+
+}  // namespace
+
+TEST_CASE("dwells that reach the rail show the rail and no outliers") {
+  const double highest_dps = GENERATE(4.9, 5.1, 5.4);
+  CAPTURE(highest_dps);
+  const CodeFindings found = inspect_codes(climbing_to(highest_dps), lsb_dps);
+  CHECK(found.upper_nats > gate_nats);
+  CHECK(found.upper_dps == Approx(5.0));
+  CHECK(found.outliers == 0);
+}
+
+TEST_CASE("a coarse converter whose last dwell keeps to one code has no rail") {
+  auto dwells = climbing_to(4.9);
+  for (DwellData& dwell : dwells) {
+    for (double& y : dwell.y_dps) y = std::round(y / 0.4) * 0.4;
+  }
+  std::fill(dwells.back().y_dps.begin(), dwells.back().y_dps.end(), 4.8);
+  CHECK(inspect_codes(dwells, 0.4).upper_nats < gate_nats);
+}
+
+TEST_CASE("a glitch far below the rail still counts") {
+  auto dwells = climbing_to(5.4);
+  for (std::size_t d = 0; d < 8; ++d) dwells[d].y_dps[500] = 1.0;
+  const CodeFindings found = inspect_codes(dwells, lsb_dps);
+  CHECK(found.outliers == 8);
+  CHECK(found.outliers_one_sided);
+}
