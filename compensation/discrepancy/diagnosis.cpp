@@ -9,6 +9,7 @@
 #include "compensation/discrepancy/fast_findings.h"
 #include "compensation/discrepancy/gap.h"
 #include "compensation/discrepancy/gap_shadow.h"
+#include "compensation/discrepancy/median.h"
 #include "compensation/discrepancy/model_update.h"
 #include "compensation/discrepancy/null_gate.h"
 #include "compensation/discrepancy/session_check.h"
@@ -50,11 +51,33 @@ Range gyro_range(const Session& session) {
   return range;
 }
 
-/// The session as the gyro meant it: what the converter did to means undone.
+/// Rows near a rail, where means tell no rate. Judged by the median of the rows around each: where
+/// a row's own noise decides, those left are the low ones. One lost row takes its neighbours along.
+std::vector<bool> rows_at_a_rail(const std::vector<MonitorRow>& rows, const MeanLaw& law) {
+  constexpr std::size_t reach = 8;
+  std::vector<bool> lost(rows.size(), false);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t begin = i < reach ? 0 : i - reach, end = std::min(i + reach + 1, rows.size());
+    std::vector<double> around;
+    for (std::size_t k = begin; k < end; ++k) {
+      if (!std::isnan(rows[k].gyro_dps)) around.push_back(rows[k].gyro_dps);
+    }
+    if (around.empty() || !law.is_lost(median_of(std::move(around)))) continue;
+    for (std::size_t k = begin; k < end; ++k) lost[k] = true;
+  }
+  return lost;
+}
+
+/// The session as the gyro meant it: what the converter did to means undone, and left out where it
+/// cannot be, if enough is left then.
 Session unbent(Session session, const MeanLaw& law) {
   if (!law.bends()) return session;
-  for (MonitorRow& row : session.monitor) {
-    if (!std::isnan(row.gyro_dps)) row.gyro_dps = law.rate(row.gyro_dps);
+  std::vector<bool> lost = rows_at_a_rail(session.monitor, law);
+  const auto lost_rows = static_cast<std::size_t>(std::count(lost.begin(), lost.end(), true));
+  if (3 * lost_rows > 2 * lost.size()) lost.assign(lost.size(), false);
+  for (std::size_t i = 0; i < lost.size(); ++i) {
+    double& gyro_dps = session.monitor[i].gyro_dps;
+    gyro_dps = lost[i] || std::isnan(gyro_dps) ? missing : law.rate(gyro_dps);
   }
   return session;
 }

@@ -6,9 +6,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
+#include "compensation/discrepancy/dwell_rails.h"
+#include "compensation/discrepancy/dwell_shape.h"
 #include "compensation/discrepancy/median.h"
 #include "compensation/discrepancy/slow_story.h"
 
@@ -19,61 +20,9 @@ constexpr double outlier_sd = 6.5;
 constexpr double hole_costs_nats = 4;   // what the spread's own error can make of the last codes
 constexpr double hole_left_over = 0.3;  // of what should come, at most
 constexpr double expected_enough = 5;   // counts, to tell a hole from bad luck
-constexpr double coarse_sd_lsb = 0.5;   // below it quantiles of codes are no Gaussian's
 constexpr double growth_needed_nats = 10;
 constexpr double expected_sd = 3.2;  // further out a dwell's own tails decide which codes come
 constexpr double loss_usual = 1e-7;  // share of frames the rig itself may lose
-
-double upper_tail(double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
-
-/// Robust centre and the two half widths of one dwell.
-struct Shape {
-  double median = 0, below = 0, above = 0, sd = 0;
-};
-
-double quantile(const std::vector<double>& sorted, double p, double lsb) {
-  // Counts are spread evenly over their code's width, so that a quantile moves smoothly.
-  const auto n = static_cast<double>(sorted.size());
-  const auto at = static_cast<std::ptrdiff_t>(std::clamp(p * n, 0.0, n - 1));
-  const double value = sorted[static_cast<std::size_t>(at)];
-  if (lsb == 0) return value;
-  const auto range = std::equal_range(sorted.begin(), sorted.end(), value);
-  const auto first = static_cast<double>(range.first - sorted.begin());
-  const auto count = static_cast<double>(range.second - range.first);
-  return value + lsb * ((p * n - first) / count - 0.5);
-}
-
-Shape shape_of(const DwellData& dwell, double lsb) {
-  std::vector<double> sorted = dwell.y_dps;
-  std::sort(sorted.begin(), sorted.end());
-  Shape shape;
-  shape.median = quantile(sorted, 0.5, lsb);
-  shape.below = shape.median - quantile(sorted, 0.158655, lsb);
-  shape.above = quantile(sorted, 0.841345, lsb) - shape.median;
-  shape.sd = (shape.below + shape.above) / 2;
-  return shape;
-}
-
-/// White noise per sample from neighbours' differences: blind to what moves slowly.
-double white_sd(const DwellData& dwell, double lsb) {
-  std::vector<double> squares;
-  for (std::size_t i = 1; i < dwell.y_dps.size(); ++i) {
-    if (dwell.seq[i] != dwell.seq[i - 1] + 1) continue;
-    const double d = dwell.y_dps[i] - dwell.y_dps[i - 1];
-    squares.push_back(d * d);
-  }
-  if (squares.size() < 16) return 0;
-  double mean = 0;
-  for (int pass = 0; pass < 3; ++pass) {
-    double sum = 0, n = 0;
-    for (const double s : squares) {
-      if (pass > 0 && s > 36 * mean) continue;
-      sum += s, n += 1;
-    }
-    mean = sum / n;
-  }
-  return std::sqrt(std::max(mean / 2 - lsb * lsb / 12, 1e-18));
-}
 
 bool whole_counts(std::span<const DwellData> dwells, double lsb) {
   if (lsb <= 0) return false;
@@ -94,8 +43,6 @@ struct Counts {
   Histogram seen, expected;
   double sd_lsb_min = 1e9;
 };
-
-std::int64_t code_of(double y, double lsb) { return std::llround(y / lsb); }
 
 /// Adds what a Gaussian rounded to codes would give for one dwell.
 void expect_codes(Histogram& expected, double centre, double sd, double n, double lsb) {
@@ -135,59 +82,9 @@ void find_holes(const Counts& counts, CodeFindings& findings) {
   findings.holes_share_sd = std::sqrt(findings.holes_share * (1 - findings.holes_share) / testable);
 }
 
-/// One end of the range: nothing beyond the last code though much should be, and the rest piled up.
-struct Rail {
-  double nats = 0, at_dps = 0;
-};
-
-/// @param holes  whether codes are missing elsewhere: then the first one beyond may be one more.
-Rail find_rail(std::span<const DwellData> dwells, double lsb, bool upper, bool holes) {
-  const double sign = upper ? 1 : -1;
-  // The last value that comes more than by chance: a lone glitch beyond is no evidence against.
-  std::map<std::int64_t, double> seen;
-  double total = 0;
-  for (const DwellData& dwell : dwells) {
-    for (const double y : dwell.y_dps) seen[code_of(sign * y, lsb)] += 1, total += 1;
-  }
-  auto last = seen.rbegin();
-  while (last != seen.rend() && last->second < std::max(3.0, 1e-5 * total)) ++last;
-  if (last == seen.rend()) return {};
-  const auto code = last->first;
-  double beyond = 0, on = 0, seen_beyond = 0;
-  for (auto later = seen.upper_bound(code); later != seen.end(); ++later) {
-    seen_beyond += later->second;
-  }
-  bool in_last_code = false;
-  double least_sd = 0;  // of the others
-  for (const DwellData& dwell : dwells) {
-    const Shape shape = shape_of(dwell, lsb);
-    const double rounded_sd = upper ? shape.below : shape.above;
-    if (rounded_sd < coarse_sd_lsb * lsb) {
-      if (code_of(sign * shape.median, lsb) != code) return {};
-      in_last_code = true;
-      beyond += static_cast<double>(dwell.y_dps.size()) / 2;
-      continue;
-    }
-    least_sd = least_sd > 0 ? std::min(least_sd, rounded_sd) : rounded_sd;
-    const double sd = std::sqrt(rounded_sd * rounded_sd - lsb * lsb / 12);
-    const auto n = static_cast<double>(dwell.y_dps.size());
-    const double edge = (static_cast<double>(code) + 0.5) * lsb - sign * shape.median;
-    beyond += n * upper_tail((edge + (holes ? 2 * lsb : 0)) / sd);
-    on += n * (upper_tail((edge - lsb) / sd) - upper_tail(edge / sd));
-  }
-  // A dwell that keeps to the last code lies beyond it only if noise spreads every other over
-  // codes.
-  if (in_last_code && (least_sd < lsb)) return {};
-  if (last->second < on + 0.3 * beyond) return {};
-  const double gain =
-      beyond - seen_beyond + (seen_beyond > 0 ? seen_beyond * std::log(seen_beyond / beyond) : 0.0);
-  if (seen_beyond > 0.2 * beyond) return {};
-  return {gain, sign * static_cast<double>(code) * lsb};
-}
-
 /// Spread of a dwell as a rail leaves it: that of the side away from the rail; none where half of
 /// the dwell lies on one.
-std::optional<double> sd_beside_rails(const Shape& shape, double lsb,
+std::optional<double> sd_beside_rails(const DwellShape& shape, double lsb,
                                       const CodeFindings& findings) {
   const bool upper = findings.upper_nats > gate_nats, lower = findings.lower_nats > gate_nats;
   if (upper && shape.median > findings.upper_dps - lsb / 2) return std::nullopt;
@@ -200,7 +97,7 @@ void find_outliers(std::span<const DwellData> dwells, double lsb, CodeFindings& 
   const bool holes = !findings.holes.empty();
   double total = 0, size = 0, up = 0;
   for (const DwellData& dwell : dwells) {
-    const Shape shape = shape_of(dwell, lsb);
+    const DwellShape shape = dwell_shape(dwell, lsb);
     const auto told_sd = sd_beside_rails(shape, lsb, findings);
     if (!told_sd) continue;
     const double sd = std::max({*told_sd, 0.35 * lsb, 1e-12});
@@ -232,7 +129,7 @@ void find_stuck(std::span<const DwellData> dwells, double lsb, CodeFindings& fin
     for (const double y : dwell.y_dps) share[y] += 1 / n;
     double chance = 0;
     for (const auto& [value, p] : share) chance += p * p;
-    const double sd = shape_of(dwell, lsb).sd;
+    const double sd = dwell_shape(dwell, lsb).sd;
     by_chance += n * chance;
     std::size_t begin = 0;
     for (std::size_t i = 1; i <= dwell.y_dps.size(); ++i) {
@@ -286,7 +183,7 @@ Line fit_line(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y,
 void find_spread(std::span<const DwellData> dwells, double lsb, CodeFindings& findings) {
   std::vector<std::array<double, 4>> points;
   for (const DwellData& dwell : dwells) {
-    const double sd = white_sd(dwell, lsb);
+    const double sd = white_sd_dps(dwell, lsb);
     if (sd <= 0 || std::isnan(dwell.die_c) || (lsb > 0 && sd < 0.4 * lsb)) continue;
     // Var(ln sd) of the difference estimator is 3/(4 n).
     const double weight = static_cast<double>(dwell.y_dps.size()) / 0.75;
@@ -340,6 +237,17 @@ void find_losses(std::span<const DwellData> dwells, CodeFindings& findings) {
   findings.lost_burst = static_cast<double>(findings.lost) / bursts;
 }
 
+/// Median over the dwells; of one that is cut off, what its rest tells.
+double usual_white_sd_dps(std::span<const DwellData> dwells, std::span<const AtAnEnd> ends,
+                          double lsb) {
+  std::vector<double> levels;
+  for (std::size_t d = 0; d < dwells.size(); ++d) {
+    const double sd = ends[d].piled ? ends[d].white_sd_dps : white_sd_dps(dwells[d], lsb);
+    if (sd > 0 || !ends[d].piled) levels.push_back(sd);
+  }
+  return levels.empty() ? white_sd_dps(dwells.front(), lsb) : median_of(std::move(levels));
+}
+
 }  // namespace
 
 CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps) {
@@ -347,18 +255,20 @@ CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps) {
   if (dwells.empty()) return findings;
   findings.quantised = whole_counts(dwells, lsb_dps);
   const double lsb = findings.quantised ? lsb_dps : 0;
-  std::vector<double> levels;
-  for (const DwellData& dwell : dwells) levels.push_back(white_sd(dwell, lsb));
-  findings.white_sd_dps = median_of(std::move(levels));
+  const std::vector<AtAnEnd> ends =
+      findings.quantised ? at_the_ends(dwells, lsb) : std::vector<AtAnEnd>(dwells.size());
+  findings.white_sd_dps = usual_white_sd_dps(dwells, ends, lsb);
   if (findings.quantised) {
     Counts counts;
-    for (const DwellData& dwell : dwells) {
+    for (std::size_t d = 0; d < dwells.size(); ++d) {
+      if (ends[d].piled) continue;
+      const DwellData& dwell = dwells[d];
       for (const double y : dwell.y_dps) counts.seen[code_of(y, lsb)] += 1;
       const double rounding = lsb * lsb / 12;
       double square = 0;
       for (const double r : dwell.residual_dps) square += r * r;
       // Glitches widen the variance but not the quantiles, and would ask for codes far out.
-      const double robust = 1.05 * shape_of(dwell, lsb).sd;
+      const double robust = 1.05 * dwell_shape(dwell, lsb).sd;
       const double variance =
           std::min(square / static_cast<double>(dwell.residual_dps.size()), robust * robust);
       const double sd = std::sqrt(std::max(variance - rounding, 0.02 * lsb * lsb));

@@ -9,6 +9,9 @@ namespace {
 
 constexpr double harmless_sd_lsb = 0.6;  // above it rounding moves a mean by < 1e-3 counts
 constexpr double reach_sd = 6;
+// From a rail to the mean of a rate that lies a deviation short of it: 1 + pdf(1) - Q(1). Nearer,
+// what is undone depends on the noise's deviation more closely than that is known.
+constexpr double mean_near_rail_sd = 1.083;
 constexpr std::size_t table_max = 20'000;
 
 double below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
@@ -55,6 +58,8 @@ MeanLaw::MeanLaw(const Converter& converter, double low, double high) {
   if (converter.sd_dps > harmless_sd_lsb * converter.lsb_dps && converter.holes.empty() && !rails) {
     return;
   }
+  lowest_told_dps_ = converter.lower_dps + mean_near_rail_sd * converter.sd_dps;
+  highest_told_dps_ = converter.upper_dps - mean_near_rail_sd * converter.sd_dps;
   const double margin = 4 * converter.sd_dps + 4 * converter.lsb_dps;
   const double step = std::max(converter.lsb_dps / 16, (high - low + 2 * margin) / table_max);
   double last = -std::numeric_limits<double>::infinity();
@@ -68,6 +73,10 @@ MeanLaw::MeanLaw(const Converter& converter, double low, double high) {
 
 double MeanLaw::measured(double rate_dps) const {
   return bends() ? interpolate(rate_, measured_, rate_dps) : rate_dps;
+}
+
+bool MeanLaw::is_lost(double measured_dps) const {
+  return measured_dps < lowest_told_dps_ || measured_dps > highest_told_dps_;
 }
 
 double MeanLaw::rate(double measured_dps) const {

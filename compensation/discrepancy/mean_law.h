@@ -25,10 +25,15 @@ class MeanLaw {
   [[nodiscard]] double measured(double rate_dps) const;
   /// The true rate whose samples have this mean.
   [[nodiscard]] double rate(double measured_dps) const;
+  /// Whether so much of the noise lies on a rail that the mean hardly tells the rate: the rate
+  /// itself is beyond it.
+  [[nodiscard]] bool is_lost(double measured_dps) const;
   /// Whether it changes anything at all.
   [[nodiscard]] bool bends() const { return !rate_.empty(); }
 
  private:
+  double lowest_told_dps_ = -std::numeric_limits<double>::infinity();
+  double highest_told_dps_ = std::numeric_limits<double>::infinity();
   std::vector<double> rate_, measured_;  // table; empty: the identity
 };
 

@@ -77,6 +77,7 @@ void add_run(Command& root, Chosen& chosen) {
       "run",
       "Examples: gyrocal run weekend.toml    gyrocal run weekend.toml --resume\n"
       "          gyrocal run config/campaigns/demo.toml --virtual --seed 7 --db demo.db\n"
+      "          gyrocal run config/campaigns/demo.toml --virtual --rig-model found.json\n"
       "Runs a campaign to its stored models, with progress and time left. Ctrl-C brings the "
       "chamber\n"
       "to its safe setpoint and ends; --resume goes on. Exit: 0 finished, 1 failed, 2 usage or\n"

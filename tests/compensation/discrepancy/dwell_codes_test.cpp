@@ -14,8 +14,8 @@ namespace {
 constexpr double lsb_dps = 0.05;
 constexpr double sd_dps = 0.2;
 
-/// Dwells whose rates climb towards a rail at 5 dps: the last of them lie on it by more than half.
-std::vector<DwellData> climbing_to(double highest_dps) {
+/// Dwells whose rates climb, against a rail at 5 dps.
+std::vector<DwellData> climbing_to(double highest_dps, double lowest_dps = 3) {
   std::mt19937_64 random(17);
   std::normal_distribution<double> noise(0, sd_dps);
   std::vector<DwellData> dwells(12);
@@ -23,7 +23,7 @@ std::vector<DwellData> climbing_to(double highest_dps) {
     DwellData& dwell = dwells[d];
     dwell.dwell = static_cast<int>(d);
     dwell.t_start_s = 1800.0 * static_cast<double>(d);
-    const double rate_dps = 3.0 + (highest_dps - 3.0) * static_cast<double>(d) / 11.0;
+    const double rate_dps = lowest_dps + (highest_dps - lowest_dps) * static_cast<double>(d) / 11.0;
     for (int i = 0; i < 2000; ++i) {
       const double y = std::round((rate_dps + noise(random)) / lsb_dps) * lsb_dps;
       dwell.y_dps.push_back(std::min(y, 5.0));
@@ -45,6 +45,14 @@ TEST_CASE("dwells that reach the rail show the rail and no outliers") {
   CHECK(found.upper_nats > gate_nats);
   CHECK(found.upper_dps == Approx(5.0));
   CHECK(found.outliers == 0);
+}
+
+TEST_CASE("where every dwell is cut off, what is left tells the noise") {
+  const CodeFindings found = inspect_codes(climbing_to(5.3, 4.9), lsb_dps);
+  CHECK(found.upper_nats > gate_nats);
+  CHECK(found.white_sd_dps == Approx(sd_dps).epsilon(0.05));
+  CHECK(found.outliers == 0);
+  CHECK(found.holes.empty());
 }
 
 TEST_CASE("a coarse converter whose last dwell keeps to one code has no rail") {
