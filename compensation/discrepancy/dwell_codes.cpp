@@ -56,7 +56,7 @@ void expect_codes(Histogram& expected, double centre, double sd, double n, doubl
   }
 }
 
-void find_holes(const Counts& counts, CodeFindings& findings) {
+void find_holes(const Counts& counts, bool two_levels, CodeFindings& findings) {
   for (const auto& [code, expected] : counts.expected) {
     if (expected < expected_enough) continue;
     ++findings.testable;
@@ -76,7 +76,7 @@ void find_holes(const Counts& counts, CodeFindings& findings) {
   }
   if (findings.holes.empty()) return;
   const double testable = findings.testable;
-  findings.holes_nats -= std::log(testable) + hole_costs_nats * (findings.outliers > 0 ? 3 : 1);
+  findings.holes_nats -= std::log(testable) + hole_costs_nats * (two_levels ? 3 : 1);
   const double holes = static_cast<double>(findings.holes.size());
   findings.holes_share = holes / testable;
   findings.holes_share_sd = std::sqrt(findings.holes_share * (1 - findings.holes_share) / testable);
@@ -250,7 +250,7 @@ double usual_white_sd_dps(std::span<const DwellData> dwells, std::span<const AtA
 
 }  // namespace
 
-CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps) {
+CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps, bool two_levels) {
   CodeFindings findings;
   if (dwells.empty()) return findings;
   findings.quantised = whole_counts(dwells, lsb_dps);
@@ -275,7 +275,7 @@ CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps) {
       expect_codes(counts.expected, dwell.mean_dps, sd, static_cast<double>(dwell.y_dps.size()),
                    lsb);
     }
-    find_holes(counts, findings);
+    find_holes(counts, two_levels, findings);
     const bool holes = !findings.holes.empty();
     const Rail upper = find_rail(dwells, lsb, true, holes),
                lower = find_rail(dwells, lsb, false, holes);

@@ -45,7 +45,11 @@ struct CodeFindings {
   double lost_burst = 0;  ///< mean frames lost in a row
 };
 
-/// @param dwells  those a fit may use.
-[[nodiscard]] CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps);
+/// @param dwells      those a fit may use.
+/// @param two_levels  whether their noise jumps between two levels: codes that a Gaussian would
+/// reach
+///   then need not come.
+[[nodiscard]] CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps,
+                                         bool two_levels = false);
 
 }  // namespace gyrocal

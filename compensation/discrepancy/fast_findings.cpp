@@ -281,7 +281,8 @@ FastEvidence gather_fast_evidence(const Session& session, std::span<const Segmen
   if (evidence.colour.relax_nats > gate_nats - 4) {
     evidence.telegraph = fit_telegraph(evidence.dwells, session.sample_rate_hz);
   }
-  evidence.codes = inspect_codes(evidence.dwells, session.lsb_dps);
+  evidence.codes =
+      inspect_codes(evidence.dwells, session.lsb_dps, evidence.telegraph.nats > gate_nats);
   return evidence;
 }
 
