@@ -56,6 +56,8 @@ Range gyro_range(const Session& session) {
 std::vector<bool> rows_at_a_rail(const std::vector<MonitorRow>& rows, const MeanLaw& law) {
   constexpr std::size_t reach = 8;
   std::vector<bool> lost(rows.size(), false);
+  const auto is_near = [&](const MonitorRow& row) { return law.is_lost(row.gyro_dps); };
+  if (std::none_of(rows.begin(), rows.end(), is_near)) return lost;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::size_t begin = i < reach ? 0 : i - reach, end = std::min(i + reach + 1, rows.size());
     std::vector<double> around;

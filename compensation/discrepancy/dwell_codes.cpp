@@ -10,6 +10,7 @@
 
 #include "compensation/discrepancy/dwell_rails.h"
 #include "compensation/discrepancy/dwell_shape.h"
+#include "compensation/discrepancy/gaussian.h"
 #include "compensation/discrepancy/median.h"
 #include "compensation/discrepancy/slow_story.h"
 
@@ -41,7 +42,6 @@ using Histogram = std::map<std::int64_t, double>;
 
 struct Counts {
   Histogram seen, expected;
-  double sd_lsb_min = 1e9;
 };
 
 /// Adds what a Gaussian rounded to codes would give for one dwell.
@@ -238,12 +238,13 @@ void find_losses(std::span<const DwellData> dwells, CodeFindings& findings) {
 }
 
 /// Median over the dwells; of one that is cut off, what its rest tells.
-double usual_white_sd_dps(std::span<const DwellData> dwells, std::span<const AtAnEnd> ends,
-                          double lsb) {
+double usual_white_sd_dps(std::span<const DwellData> dwells, const RangeEnd& lower,
+                          const RangeEnd& upper, double lsb) {
   std::vector<double> levels;
   for (std::size_t d = 0; d < dwells.size(); ++d) {
-    const double sd = ends[d].piled ? ends[d].white_sd_dps : white_sd_dps(dwells[d], lsb);
-    if (sd > 0 || !ends[d].piled) levels.push_back(sd);
+    const auto& pile = upper.piles[d] ? upper.piles[d] : lower.piles[d];
+    const double sd = pile ? pile->white_sd_dps : white_sd_dps(dwells[d], lsb);
+    if (sd > 0 || !pile) levels.push_back(sd);
   }
   return levels.empty() ? white_sd_dps(dwells.front(), lsb) : median_of(std::move(levels));
 }
@@ -255,13 +256,12 @@ CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps, bo
   if (dwells.empty()) return findings;
   findings.quantised = whole_counts(dwells, lsb_dps);
   const double lsb = findings.quantised ? lsb_dps : 0;
-  const std::vector<AtAnEnd> ends =
-      findings.quantised ? at_the_ends(dwells, lsb) : std::vector<AtAnEnd>(dwells.size());
-  findings.white_sd_dps = usual_white_sd_dps(dwells, ends, lsb);
+  const RangeEnd low_end = range_end(dwells, lsb, false), high_end = range_end(dwells, lsb, true);
+  findings.white_sd_dps = usual_white_sd_dps(dwells, low_end, high_end, lsb);
   if (findings.quantised) {
     Counts counts;
     for (std::size_t d = 0; d < dwells.size(); ++d) {
-      if (ends[d].piled) continue;
+      if (low_end.piles[d] || high_end.piles[d]) continue;
       const DwellData& dwell = dwells[d];
       for (const double y : dwell.y_dps) counts.seen[code_of(y, lsb)] += 1;
       const double rounding = lsb * lsb / 12;
@@ -277,8 +277,8 @@ CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps, bo
     }
     find_holes(counts, two_levels, findings);
     const bool holes = !findings.holes.empty();
-    const Rail upper = find_rail(dwells, lsb, true, holes),
-               lower = find_rail(dwells, lsb, false, holes);
+    const Rail upper = find_rail(dwells, high_end, lsb, holes),
+               lower = find_rail(dwells, low_end, lsb, holes);
     findings.upper_nats = upper.nats, findings.upper_dps = upper.at_dps;
     findings.lower_nats = lower.nats, findings.lower_dps = lower.at_dps;
   }

@@ -46,9 +46,8 @@ struct CodeFindings {
 };
 
 /// @param dwells      those a fit may use.
-/// @param two_levels  whether their noise jumps between two levels: codes that a Gaussian would
-/// reach
-///   then need not come.
+/// @param two_levels  whether their noise jumps between two levels: then codes that a Gaussian
+///   would reach need not come.
 [[nodiscard]] CodeFindings inspect_codes(std::span<const DwellData> dwells, double lsb_dps,
                                          bool two_levels = false);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gyrocal {
 namespace {
@@ -50,17 +49,6 @@ double white_sd_dps(const DwellData& dwell, double lsb) {
     mean = sum / n;
   }
   return std::sqrt(std::max(mean / 2 - lsb * lsb / 12, 1e-18));
-}
-
-double upper_tail(double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
-
-double normal_quantile(double share) {
-  double low = -40, high = 40;
-  while (high - low > 1e-10) {
-    const double middle = (low + high) / 2;
-    (upper_tail(-middle) < share ? low : high) = middle;
-  }
-  return (low + high) / 2;
 }
 
 std::int64_t code_of(double y, double lsb) { return std::llround(y / lsb); }

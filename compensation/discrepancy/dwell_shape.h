@@ -19,12 +19,6 @@ struct DwellShape {
 /// Rounding is taken off. 0 where there are fewer than 16 neighbours.
 [[nodiscard]] double white_sd_dps(const DwellData& dwell, double lsb_dps);
 
-/// Share of a Gaussian beyond z standard deviations.
-[[nodiscard]] double upper_tail(double z);
-
-/// The z below which a Gaussian has this share, 0 < share < 1. Error < 1e-9.
-[[nodiscard]] double normal_quantile(double share);
-
 [[nodiscard]] std::int64_t code_of(double y_dps, double lsb_dps);
 
 }  // namespace gyrocal

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "compensation/discrepancy/gaussian.h"
 
 namespace gyrocal {
 namespace {
@@ -14,14 +15,12 @@ constexpr double reach_sd = 6;
 constexpr double mean_near_rail_sd = 1.083;
 constexpr std::size_t table_max = 20'000;
 
-double below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
-
 double code_mean(const MeanLaw::Converter& converter, double rate_dps) {
   const double lsb = converter.lsb_dps;
   const double sd = std::max(converter.sd_dps, 1e-3 * lsb);
   const auto low = std::llround((rate_dps - reach_sd * sd) / lsb);
   const auto high = std::llround((rate_dps + reach_sd * sd) / lsb);
-  const auto upto = [&](double value_dps) { return below((value_dps - rate_dps) / sd); };
+  const auto upto = [&](double value_dps) { return upper_tail((rate_dps - value_dps) / sd); };
   double mean = 0;
   for (auto code = low; code <= high; ++code) {
     const double at = static_cast<double>(code) * lsb;

@@ -25,8 +25,8 @@ class MeanLaw {
   [[nodiscard]] double measured(double rate_dps) const;
   /// The true rate whose samples have this mean.
   [[nodiscard]] double rate(double measured_dps) const;
-  /// Whether so much of the noise lies on a rail that the mean hardly tells the rate: the rate
-  /// itself is beyond it.
+  /// Whether the rate is nearer to a rail than a deviation of the noise, or beyond it: the mean no
+  /// longer tells it well.
   [[nodiscard]] bool is_lost(double measured_dps) const;
   /// Whether it changes anything at all.
   [[nodiscard]] bool bends() const { return !rate_.empty(); }

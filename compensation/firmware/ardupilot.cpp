@@ -24,14 +24,6 @@ std::string line(const std::string& name, double value) {
   return fmt::format("{},{:.9g}\n", name, static_cast<float>(value));
 }
 
-std::optional<float> ardupilot_parameter(std::string_view text, std::string_view name) {
-  for (const auto row : lines_of(text)) {
-    const auto fields = split(row, ',');
-    if (fields.size() == 2 && fields[0] == name) return float_of(fields[1]);
-  }
-  return std::nullopt;
-}
-
 float correction(const ArdupilotGyro& gyro, float temperature_c) {
   constexpr auto inverse_scale = static_cast<float>(1 / scale_factor);
   const float delta =
@@ -68,7 +60,7 @@ std::string ardupilot_text(std::span<const AxisCubic> axes, int imu, std::string
 Result<ArdupilotGyro> read_ardupilot_text(std::string_view text, int imu, std::string_view axis) {
   std::string missing_name;
   const auto read = [&](const std::string& name) {
-    const auto value = ardupilot_parameter(text, name);
+    const auto value = float_beside(text, name, ',', 2, 0);
     if (!value) missing_name = name;
     return value.value_or(0.0F);
   };

@@ -21,15 +21,6 @@ std::string float_line(const std::string& name, double value) {
   return line(name, fmt::format("{:.9g}", static_cast<float>(value)), mav_float);
 }
 
-/// The value of a parameter in the file; nothing when it is not there.
-std::optional<float> px4_parameter(std::string_view text, std::string_view name) {
-  for (const auto row : lines_of(text)) {
-    const auto fields = split(row, '\t');
-    if (fields.size() == 5 && fields[2] == name) return float_of(fields[3]);
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 float offset_rad_s(const Px4Gyro& gyro, float temperature_c) {
@@ -69,7 +60,7 @@ Result<Px4Gyro> read_px4_text(std::string_view text, int instance, std::string_v
   std::string missing_name;
   const auto read = [&](const std::string& part) {
     const auto name = fmt::format("TC_G{}_{}", instance, part);
-    const auto value = px4_parameter(text, name);
+    const auto value = float_beside(text, name, '\t', 5, 2);
     if (!value) missing_name = name;
     return value.value_or(0.0F);
   };

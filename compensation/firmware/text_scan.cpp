@@ -43,6 +43,15 @@ std::optional<std::vector<float>> float_list(std::string_view text) {
 
 std::vector<std::string_view> lines_of(std::string_view text) { return split(text, '\n'); }
 
+std::optional<float> float_beside(std::string_view text, std::string_view name, char separator,
+                                  std::size_t fields, std::size_t at) {
+  for (const auto line : lines_of(text)) {
+    const auto parts = split(line, separator);
+    if (parts.size() == fields && parts[at] == name) return float_of(parts[at + 1]);
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> fields;
   for (;;) {

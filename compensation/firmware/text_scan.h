@@ -20,6 +20,10 @@ namespace gyrocal {
 
 /// Lines without their ends.
 [[nodiscard]] std::vector<std::string_view> lines_of(std::string_view text);
+/// Of the first line with `fields` fields of which number `at` is `name`: the number in the field
+/// behind it. Nothing where there is no such line, or no number.
+[[nodiscard]] std::optional<float> float_beside(std::string_view text, std::string_view name,
+                                                char separator, std::size_t fields, std::size_t at);
 /// Fields at `separator`, blanks around them taken off.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 

@@ -7,7 +7,6 @@
 #include "compensation/values/assert.h"
 
 namespace gyrocal::rig {
-namespace {}  // namespace
 
 ChamberAir::ChamberAir(const ChamberPhysics& physics) : physics_(physics) {
   segments_.push_back({0.0, physics.ambient_c, physics.ambient_c, false, 0.0});

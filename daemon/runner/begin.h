@@ -6,7 +6,7 @@ namespace gyrocal::runner {
 
 /// What goes on with a campaign begins so long after the latest row: more than an interval of the
 /// slow stream, so that none is begun twice.
-inline constexpr Duration apart_from_before = seconds(2 * campaign::monitor_interval_s);
+inline constexpr Duration apart_from_before = 2 * monitor_interval;
 
 /// The rows a new campaign starts from.
 [[nodiscard]] Result<CampaignLoop::Begin> begin_new(const CampaignConfig& config,

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <numbers>
 #include <random>
 #include <vector>
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "compensation/discrepancy/slow_story.h"
+#include "tests/compensation/discrepancy/made_dwell.h"
 
 using namespace gyrocal;
 
@@ -18,20 +19,12 @@ constexpr double sd_dps = 0.2;
 std::vector<DwellData> climbing_to(double highest_dps, double lowest_dps = 3) {
   std::mt19937_64 random(17);
   std::normal_distribution<double> noise(0, sd_dps);
-  std::vector<DwellData> dwells(12);
-  for (std::size_t d = 0; d < dwells.size(); ++d) {
-    DwellData& dwell = dwells[d];
-    dwell.dwell = static_cast<int>(d);
-    dwell.t_start_s = 1800.0 * static_cast<double>(d);
-    const double rate_dps = lowest_dps + (highest_dps - lowest_dps) * static_cast<double>(d) / 11.0;
-    for (int i = 0; i < 2000; ++i) {
-      const double y = std::round((rate_dps + noise(random)) / lsb_dps) * lsb_dps;
-      dwell.y_dps.push_back(std::min(y, 5.0));
-      dwell.t_s.push_back(dwell.t_start_s + i / 50.0);
-      dwell.seq.push_back(i);
-      dwell.mean_dps += dwell.y_dps.back() / 2000;
-    }
-    for (const double y : dwell.y_dps) dwell.residual_dps.push_back(y - dwell.mean_dps);
+  std::vector<DwellData> dwells;
+  for (int d = 0; d < 12; ++d) {
+    const double rate_dps = lowest_dps + (highest_dps - lowest_dps) * d / 11.0;
+    dwells.push_back(made_dwell(d, 2000, [&] {
+      return std::min(std::round((rate_dps + noise(random)) / lsb_dps) * lsb_dps, 5.0);
+    }));
   }
   return dwells;
 }

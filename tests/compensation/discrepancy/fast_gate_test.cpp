@@ -8,6 +8,7 @@
 #include "compensation/discrepancy/dwell_codes.h"
 #include "compensation/discrepancy/dwell_spectrum.h"
 #include "compensation/discrepancy/slow_story.h"
+#include "tests/compensation/discrepancy/made_dwell.h"
 
 using namespace gyrocal;
 
@@ -20,21 +21,14 @@ struct Null {
 
 std::vector<DwellData> null_dwells(const Null& null, std::mt19937_64& random) {
   std::normal_distribution<double> noise(0, null.sd_dps);
-  std::vector<DwellData> dwells(static_cast<std::size_t>(null.dwells));
-  for (std::size_t d = 0; d < dwells.size(); ++d) {
-    DwellData& dwell = dwells[d];
-    dwell.dwell = static_cast<int>(d);
-    dwell.t_start_s = 1800.0 * static_cast<double>(d);
-    dwell.die_c = -10 + 60.0 * static_cast<double>(d) / null.dwells;
-    const double rate_dps = 4 + 0.01 * dwell.die_c;
-    for (int i = 0; i < null.samples; ++i) {
-      const double y = std::round((rate_dps + noise(random)) / null.lsb_dps) * null.lsb_dps;
-      dwell.y_dps.push_back(y);
-      dwell.t_s.push_back(dwell.t_start_s + i / 50.0);
-      dwell.seq.push_back(i);
-      dwell.mean_dps += y / null.samples;
-    }
-    for (const double y : dwell.y_dps) dwell.residual_dps.push_back(y - dwell.mean_dps);
+  std::vector<DwellData> dwells;
+  for (int d = 0; d < null.dwells; ++d) {
+    const double die_c = -10 + 60.0 * d / null.dwells;
+    const double rate_dps = 4 + 0.01 * die_c;
+    dwells.push_back(made_dwell(d, null.samples, [&] {
+      return std::round((rate_dps + noise(random)) / null.lsb_dps) * null.lsb_dps;
+    }));
+    dwells.back().die_c = die_c;
   }
   return dwells;
 }
