@@ -72,16 +72,17 @@ class Whitened {
   Eigen::MatrixXd basis_;
 };
 
-double least_left(const Eigen::VectorXd& signature, const Eigen::MatrixXd& shapes,
-                  const Eigen::MatrixXd& raw) {
-  double left = signature.squaredNorm();
-  for (Eigen::Index k = 0; k < shapes.cols(); ++k) {
-    const double norm = shapes.col(k).squaredNorm();
-    if (norm <= 1e-8 * raw.col(k).squaredNorm()) continue;  // a nuisance in disguise
-    const double along = signature.dot(shapes.col(k));
-    left = std::min(left, signature.squaredNorm() - along * along / norm);
+std::vector<RivalShape> shapes_of(const RivalClass& rival, const Eigen::MatrixXd& raw,
+                                  const Whitened& view, const Eigen::VectorXd& signature) {
+  const Eigen::MatrixXd seen = view.rest(raw);
+  std::vector<RivalShape> shapes;
+  for (Eigen::Index k = 0; k < seen.cols(); ++k) {
+    const double energy = seen.col(k).squaredNorm();
+    if (energy <= 1e-8 * raw.col(k).squaredNorm()) continue;  // a nuisance in disguise
+    shapes.push_back(
+        {signature.dot(seen.col(k)), energy, rival.least_share, rival.greatest_share});
   }
-  return std::max(left, 0.0);
+  return shapes;
 }
 
 Eigen::MatrixXd nuisances(const Trajectory& over, const std::vector<Series>& known) {
@@ -101,10 +102,22 @@ Eigen::MatrixXd nuisances(const Trajectory& over, const std::vector<Series>& kno
 
 }  // namespace
 
+double RivalShape::left(double amplitude, double signature_energy) const {
+  const double share = std::clamp(amplitude * along / energy, least, greatest);
+  return amplitude * amplitude * signature_energy +
+         share * (share * energy - 2.0 * amplitude * along);
+}
+
+void Cost::add(double fixed_nats, double energy, std::vector<RivalShape> shapes) {
+  noises_.push_back({fixed_nats, energy, std::move(shapes)});
+}
+
 double Cost::at(double amplitude) const {
   double least = std::numeric_limits<double>::max();
-  for (std::size_t k = 0; k < energy.size(); ++k) {
-    least = std::min(least, fixed_nats[k] + 0.5 * amplitude * amplitude * energy[k]);
+  for (const auto& noise : noises_) {
+    double left = amplitude * amplitude * noise.energy;
+    for (const auto& shape : noise.shapes) left = std::min(left, shape.left(amplitude, noise.energy));
+    least = std::min(least, noise.fixed_nats + 0.5 * std::max(left, 0.0));
   }
   return least;
 }
@@ -128,19 +141,17 @@ Sight::Sight(const Trajectory& over, const Baseline& baseline, const Series& sig
     : name_(name) {
   static const std::vector<FittedNoise> noises = fitted_noises();
   const double bin_s = static_cast<double>(over.seconds()) / static_cast<double>(bins);
-  const Eigen::VectorXd signature =
-      binned(signature_dps, bins) / (white_per_root_hz / std::sqrt(bin_s));
+  const double white_dps = white_per_root_hz / std::sqrt(bin_s);  // of a bin
+  const Eigen::VectorXd signature = binned(signature_dps, bins) / white_dps;
   const Eigen::MatrixXd nuisance = nuisances(over, known);
   const auto rivals = textbook_rivals(over, baseline, bins);
   for (const auto& noise : noises) {
     const Whitened view(noise, nuisance);
     const Eigen::VectorXd seen = view.rest(signature);
-    alone_.fixed_nats.push_back(noise.misfit_nats);
-    alone_.energy.push_back(seen.squaredNorm());
+    alone_.add(noise.misfit_nats, seen.squaredNorm(), {});
     for (const auto& rival : rivals) {
-      Cost& cost = beside_[rival.name];
-      cost.fixed_nats.push_back(noise.misfit_nats);
-      cost.energy.push_back(least_left(seen, view.rest(rival.columns), rival.columns));
+      beside_[rival.name].add(noise.misfit_nats, seen.squaredNorm(),
+                              shapes_of(rival, rival.columns / white_dps, view, seen));
     }
   }
 }

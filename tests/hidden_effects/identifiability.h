@@ -17,12 +17,32 @@ struct Visibility {
   std::vector<std::string> rivals_within(double nats) const;
 };
 
-/// Expected cost of explaining amplitude a of a signature by the best of some noises, each of
-/// which leaves energy[k] per squared amplitude and costs fixed_nats[k] by itself.
-struct Cost {
-  std::vector<double> fixed_nats;
-  std::vector<double> energy;
+/// One shape a rival could take, seen in one noise's own units beside the signature.
+struct RivalShape {
+  double along;   ///< inner product with the signature at amplitude one
+  double energy;  ///< squared norm
+  double least;   ///< what the shape can be multiplied by
+  double greatest;
+
+  /// Energy left of `amplitude` times a signature of this energy.
+  double left(double amplitude, double signature_energy) const;
+};
+
+/// Expected cost of explaining a signature by the best of some noises and, for a rival, of its
+/// shapes.
+class Cost {
+ public:
+  /// @param fixed_nats  what the noise costs by itself; energy: of the signature, at amplitude one.
+  void add(double fixed_nats, double energy, std::vector<RivalShape> shapes);
   double at(double amplitude) const;
+
+ private:
+  struct InNoise {
+    double fixed_nats;
+    double energy;
+    std::vector<RivalShape> shapes;
+  };
+  std::vector<InNoise> noises_;
 };
 
 /// Expected log-likelihood ratios of a slow signature, before any noise is drawn: white noise and a

@@ -62,6 +62,22 @@ TEST_CASE("a straight bias over temperature makes lag and heating rate one effec
   CHECK(lead(false) > 10.0);
 }
 
+TEST_CASE("no lag explains more than the bias over temperature lets it") {
+  // What a heating rate does against the slope of the bias, on a line: a lag, while it is small.
+  const auto setting = quiet("up_down", true);
+  const auto over = setting.trajectory(setting.chain);
+  const hidden::Series slope(over.rate_c_per_min.begin(), over.rate_c_per_min.end());
+  const Sight sight(over, setting.baseline, slope, "temperature_rate", setting.white_per_root_hz(),
+                    {});
+  const auto lead = [&](double dps_per_c_per_min) {
+    return sight.at(dps_per_c_per_min).lead_nats.at("thermal_lag");
+  };
+  const double of_15_s_dps = 0.25 * 0.15 / 30.0;  // a degree a minute, a quarter minute late
+  CHECK(lead(of_15_s_dps) < 3.0);
+  CHECK(lead(-4.0 * of_15_s_dps) > 10.0);
+  CHECK(lead(100.0 * of_15_s_dps) > 10.0);  // half an hour late would no longer follow the rate
+}
+
 TEST_CASE("going up and down tells aging from self-heating where going up alone does not") {
   const double up = lead_of_aging_over_self_heating("up");
   const double up_down = lead_of_aging_over_self_heating("up_down");

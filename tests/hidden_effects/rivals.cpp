@@ -11,7 +11,9 @@ class Shapes {
   Shapes(std::string name, Eigen::Index bins) : name_(std::move(name)), bins_(bins) {}
   void add(const Series& series) { columns_.push_back(binned(series, bins_)); }
   RivalClass done() const {
-    RivalClass rival{name_, Eigen::MatrixXd(bins_, static_cast<Eigen::Index>(columns_.size()))};
+    RivalClass rival;
+    rival.name = name_;
+    rival.columns.resize(bins_, static_cast<Eigen::Index>(columns_.size()));
     for (std::size_t k = 0; k < columns_.size(); ++k) {
       rival.columns.col(static_cast<Eigen::Index>(k)) = columns_[k];
     }
@@ -45,7 +47,10 @@ RivalClass lags(const Trajectory& over, const Baseline& baseline, Eigen::Index b
     shapes.add(
         mapped(over, [&](std::size_t i) { return baseline(late_c[i]) - baseline(over.die_c[i]); }));
   }
-  return shapes.done();
+  RivalClass rival = shapes.done();
+  rival.least_share = 0.0;  // a share of one lag is about a shorter lag
+  rival.greatest_share = 1.0;
+  return rival;
 }
 
 RivalClass plays(const Trajectory& over, Eigen::Index bins) {

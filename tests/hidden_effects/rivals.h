@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace hidden {
 struct RivalClass {
   std::string name;
   Eigen::MatrixXd columns;  ///< bins x shapes
+  /// What one column can be multiplied by: a lag is as large as the bias law makes it [deg/s at 1].
+  double least_share = -std::numeric_limits<double>::infinity();
+  double greatest_share = std::numeric_limits<double>::infinity();
 };
 
 /// Means over `bins` equal parts of the session.
