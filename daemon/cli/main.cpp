@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
   app.add_version_flag("gyrocal " GYROCAL_VERSION);
   app.require_subcommand(1, 1);
   Chosen chosen;
-  add_all_commands(app, chosen);
+  add_commands_for(argc > 1 ? argv[1] : "", app, chosen);
   switch (app.parse(argc, argv)) {
     case Parsed::helped:
       return exit_done;

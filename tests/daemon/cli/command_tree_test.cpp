@@ -47,6 +47,37 @@ TEST_CASE("every command's help begins with an example of itself", "[cli]") {
   CHECK(commands >= 30);
 }
 
+TEST_CASE("each command built alone is what it is among all", "[cli]") {
+  const Program program;
+  for (const auto& command : program.app.subcommands()) {
+    CAPTURE(command->name());
+    Command app{"Example: gyrocal fit --help\nCalibrates.", "gyrocal"};
+    Chosen chosen;
+    add_commands_for(command->name(), app, chosen);
+    const auto& built = app.subcommands();
+    const auto same = std::find_if(built.begin(), built.end(), [&](const auto& each) {
+      return each->name() == command->name();
+    });
+    REQUIRE(same != built.end());
+    CHECK(manual_page(**same, "1") == manual_page(*command, "1"));
+  }
+}
+
+TEST_CASE("a word that is no command gets the tree of all, and a version none", "[cli]") {
+  const auto commands_for = [](const char* word) {
+    Command app{"Example: gyrocal fit --help\nCalibrates.", "gyrocal"};
+    Chosen chosen;
+    add_commands_for(word, app, chosen);
+    return app.subcommands().size();
+  };
+  const std::size_t all = Program().app.subcommands().size();
+  for (const char* word : {"", "--help", "fti", "pause", "man", "completion"}) {
+    CHECK(commands_for(word) == all);
+  }
+  CHECK(commands_for("fit") == 1);
+  CHECK(commands_for("--version") == 0);
+}
+
 TEST_CASE("a mistyped command or option gets the nearest one", "[cli]") {
   const Program program;
   const auto told = [&](std::vector<std::string> words) { return mistyped(program.app, words); };
