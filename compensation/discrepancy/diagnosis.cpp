@@ -94,11 +94,9 @@ std::vector<std::string> excluded_effects(const FastEvidence& fast, const Track&
     // Its step comes and goes with the compressor: two levels, but not at random.
     if (finding.effect == "compressor_vibration") names.push_back("random_telegraph_noise");
     if (finding.effect != "random_telegraph_noise") continue;
-    names.push_back("random_telegraph_noise");
-    // The slow side of its Lorentzian would pass for flicker.
-    if (fast.telegraph.low_dwell_s + fast.telegraph.high_dwell_s > 2) {
-      names.push_back("bias_instability");
-    }
+    // The slow side of its Lorentzian would pass for flicker, or be seen as two levels again.
+    const bool has_slow_side = fast.telegraph.low_dwell_s + fast.telegraph.high_dwell_s > 2;
+    names.push_back(has_slow_side ? "bias_instability" : "random_telegraph_noise");
   }
   return names;
 }
@@ -193,6 +191,21 @@ void merge_harmonics(std::vector<Finding>& findings) {
   }
 }
 
+/// Two levels that both channels see are one telegraph. Rows see whole stays where a dwell sees
+/// parts of some: theirs are the numbers.
+void merge_telegraphs(std::vector<Finding>& slow, std::vector<Finding>& fast) {
+  constexpr double same_level = 1.4;
+  const auto telegraph = [](const Finding& f) { return is_effect(f, "random_telegraph_noise"); };
+  const auto in_rows = std::find_if(slow.begin(), slow.end(), telegraph);
+  const auto in_dwells = std::find_if(fast.begin(), fast.end(), telegraph);
+  if (in_rows == slow.end() || in_dwells == fast.end()) return;
+  const double ratio = in_rows->amplitude / in_dwells->amplitude;
+  if (ratio > same_level || ratio < 1 / same_level) return;
+  in_rows->evidence_nats += in_dwells->evidence_nats;
+  in_rows->lead_nats = std::max(in_rows->lead_nats, in_dwells->lead_nats);
+  fast.erase(in_dwells);
+}
+
 /// One cause seen in two channels is one finding.
 void settle_between_channels(std::vector<Finding>& slow, std::vector<Finding>& fast, double lsb_dps,
                              bool codes_bend) {
@@ -219,6 +232,7 @@ void settle_between_channels(std::vector<Finding>& slow, std::vector<Finding>& f
     });
   }
   merge_harmonics(slow);
+  merge_telegraphs(slow, fast);
   const auto step = among(slow, "compressor_vibration");
   const auto line = among(fast, "compressor_vibration");
   if (step != slow.end() && line != fast.end()) {

@@ -77,24 +77,6 @@ void add_noise(const SlowModel& model, std::vector<SlowOption>& options) {
   }
 }
 
-void add_telegraph(const SlowModel& model, std::vector<SlowOption>& options) {
-  // What no noise helps has no telegraph in it either: its spectrum is a Lorentzian.
-  if (model.fit_free().log_likelihood - model.fit().log_likelihood < 2) return;
-  if (model.noise().flicker || model.noise().walk) return;
-  const SlowTelegraph fit = fit_slow_telegraph(model);
-  if (fit.flips < telegraph_flips_min || fit.regular_nats > regular_nats) return;
-  SlowOption option;
-  option.score = fit.log_likelihood - model.fit().log_likelihood - telegraph_costs_nats;
-  option.beyond_noise = fit.log_likelihood - model.fit_free().log_likelihood - telegraph_costs_nats;
-  option.known_bins = fit.level_dps * (fit.high.array() - 0.5).matrix();
-  option.finding.effect = "random_telegraph_noise";
-  option.finding.law = "two_levels";
-  option.finding.amplitude = fit.level_dps * 1000;
-  option.finding.amplitude_sd = fit.level_sd_dps * 1000;
-  option.finding.parameters = {{"low", fit.low_dwell_s}, {"high", fit.high_dwell_s}};
-  options.push_back(std::move(option));
-}
-
 /// Noise with a time scale of its own is none of the catalogue's: where it does better than all
 /// that flicker and walk can, they lose their names. It keeps the family of the best of them, which
 /// follows its course well enough.
@@ -124,6 +106,31 @@ void add_resonance(const SlowModel& model, std::vector<SlowOption>& options) {
       "over both)",
       fit.sd_dps * 1000, fit.period_s, fit.quality,
       fit.log_likelihood - model.fit_free().log_likelihood);
+  options.push_back(std::move(option));
+}
+
+/// What two levels gain over the Gaussian noise of their spectrum is seen in the rows; what that
+/// noise gains, in the bins.
+void add_telegraph(const SlowModel& model, std::vector<SlowOption>& options) {
+  const double noise_gain = model.fit_free().log_likelihood - model.fit().log_likelihood;
+  // What no noise helps has no telegraph in it either: its spectrum is a Lorentzian.
+  if (noise_gain < 2) return;
+  if (model.noise().flicker || model.noise().walk) return;
+  double gaussian = noise_gain;
+  for (const SlowOption& option : options) {
+    if (option.finding.law == "resonant_noise") gaussian = std::max(gaussian, option.score);
+  }
+  const SlowTelegraph fit = fit_slow_telegraph(model);
+  if (fit.flips < telegraph_flips_min || fit.regular_nats > regular_nats) return;
+  SlowOption option;
+  option.score = gaussian + fit.lead_nats - telegraph_costs_nats;
+  option.beyond_noise = option.score - noise_gain;
+  option.known_bins = fit.level_dps * (fit.high.array() - 0.5).matrix();
+  option.finding.effect = "random_telegraph_noise";
+  option.finding.law = "two_levels";
+  option.finding.amplitude = fit.level_dps * 1000;
+  option.finding.amplitude_sd = fit.level_sd_dps * 1000;
+  option.finding.parameters = {{"low", fit.low_dwell_s}, {"high", fit.high_dwell_s}};
   options.push_back(std::move(option));
 }
 
@@ -182,8 +189,8 @@ std::vector<SlowOption> slow_options(const SlowModel& model, double sample_rate_
     options.push_back(from_candidate(std::move(candidate)));
   }
   add_noise(model, options);
-  add_telegraph(model, options);
   add_resonance(model, options);
+  add_telegraph(model, options);
   add_line(model, sample_rate_hz, options);
   std::erase_if(options,
                 [&](const SlowOption& option) { return is_in(option.finding.effect, excluded); });

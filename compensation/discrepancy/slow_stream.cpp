@@ -42,7 +42,7 @@ std::vector<double> distances(const std::vector<double>& y) {
 SlowStream::SlowStream(const Session& session, std::span<const std::size_t> rows,
                        const Track& track, double bin_s, std::span<const double> noise_factor) {
   GYROCAL_ASSERT(track.record.size() >= 2);
-  std::vector<double> t, weight, y, count;
+  std::vector<double> t, weight, y, count, row_y;
   double opened_s = 0, last_s = 0;
   for (const std::size_t at : rows) {
     const MonitorRow& row = session.monitor[at];
@@ -57,7 +57,11 @@ SlowStream::SlowStream(const Session& session, std::span<const std::size_t> rows
     y.back() += row.gyro_dps;
     count.back() += 1;
     const Place place = place_on(track, row.t_s);
-    weight.back() += std::pow(noise_factor[place.left], 2);
+    const double noise_power = std::pow(noise_factor[place.left], 2);
+    weight.back() += noise_power;
+    row_grid_.t_s.push_back(row.t_s);
+    row_grid_.weight_s.push_back(session.monitor_interval_s / noise_power);
+    row_y.push_back(row.gyro_dps);
     taps_.push_back({static_cast<std::uint32_t>(t.size() - 1),
                      static_cast<std::uint32_t>(place.left), 1 - place.right_share,
                      place.right_share});
@@ -68,19 +72,43 @@ SlowStream::SlowStream(const Session& session, std::span<const std::size_t> rows
     weight[i] = session.monitor_interval_s * count[i] * count[i] / weight[i];
     y_dps_(static_cast<Eigen::Index>(i)) = y[i] / count[i];
   }
-  for (Tap& tap : taps_) {
-    tap.left_share /= count[tap.bin];
-    tap.right_share /= count[tap.bin];
-  }
+  row_y_dps_ = Eigen::Map<const Eigen::VectorXd>(row_y.data(), std::ssize(row_y));
+  rows_in_bin_ = Eigen::Map<const Eigen::VectorXd>(count.data(), std::ssize(count));
   grid_ = {std::move(t), std::move(weight)};
 }
 
 Eigen::VectorXd SlowStream::bin(std::span<const double> course) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(y_dps_.size());
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(y_dps_.size());
   for (const Tap& tap : taps_) {
-    result(tap.bin) += tap.left_share * course[tap.left] + tap.right_share * course[tap.left + 1];
+    sums(tap.bin) += tap.left_share * course[tap.left] + tap.right_share * course[tap.left + 1];
   }
-  return result;
+  return sums.cwiseQuotient(rows_in_bin_);
+}
+
+Eigen::VectorXd SlowStream::at_rows(std::span<const double> course) const {
+  Eigen::VectorXd rows(row_y_dps_.size());
+  for (std::size_t i = 0; i < taps_.size(); ++i) {
+    const Tap& tap = taps_[i];
+    rows(static_cast<Eigen::Index>(i)) =
+        tap.left_share * course[tap.left] + tap.right_share * course[tap.left + 1];
+  }
+  return rows;
+}
+
+Eigen::MatrixXd SlowStream::spread_to_rows(const Eigen::MatrixXd& bins) const {
+  Eigen::MatrixXd rows(row_y_dps_.size(), bins.cols());
+  for (std::size_t i = 0; i < taps_.size(); ++i) {
+    rows.row(static_cast<Eigen::Index>(i)) = bins.row(taps_[i].bin);
+  }
+  return rows;
+}
+
+Eigen::VectorXd SlowStream::bin_rows(const Eigen::VectorXd& rows) const {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(y_dps_.size());
+  for (std::size_t i = 0; i < taps_.size(); ++i) {
+    sums(taps_[i].bin) += rows(static_cast<Eigen::Index>(i));
+  }
+  return sums.cwiseQuotient(rows_in_bin_);
 }
 
 RowChoice training_rows(const Session& session, std::span<const Segment> segments,

@@ -28,6 +28,16 @@ class SlowStream {
   /// Means over each bin's rows of a course given at the track's instants.
   [[nodiscard]] Eigen::VectorXd bin(std::span<const double> course) const;
 
+  // The rows the bins are made of, for what changes within a bin.
+  [[nodiscard]] const SlowGrid& row_grid() const { return row_grid_; }
+  [[nodiscard]] const Eigen::VectorXd& row_y_dps() const { return row_y_dps_; }
+  /// A course at each row.
+  [[nodiscard]] Eigen::VectorXd at_rows(std::span<const double> course) const;
+  /// Each bin's values (a row of `bins` each) at all of its rows.
+  [[nodiscard]] Eigen::MatrixXd spread_to_rows(const Eigen::MatrixXd& bins) const;
+  /// Means over each bin's rows.
+  [[nodiscard]] Eigen::VectorXd bin_rows(const Eigen::VectorXd& rows) const;
+
  private:
   struct Tap {
     std::uint32_t bin;
@@ -35,8 +45,9 @@ class SlowStream {
     double left_share;
     double right_share;
   };
-  SlowGrid grid_;
-  Eigen::VectorXd y_dps_;
+  SlowGrid grid_, row_grid_;
+  Eigen::VectorXd y_dps_, row_y_dps_;
+  Eigen::VectorXd rows_in_bin_;
   std::vector<Tap> taps_;
 };
 

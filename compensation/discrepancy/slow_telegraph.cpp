@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compensation/discrepancy/relaxing_drift.h"
 #include "compensation/values/log_gamma.h"
 
 namespace gyrocal {
@@ -85,12 +86,22 @@ Expectation expect(const SlowGrid& grid, const Eigen::VectorXd& residual, const 
   return result;
 }
 
+struct Rows {
+  const SlowGrid& grid;
+  Eigen::VectorXd y;
+  Eigen::MatrixXd design;
+};
+
 struct Weighted {
-  Eigen::VectorXd root;  // sqrt of the bins' weights
+  Weighted(const Rows& rows, const Eigen::ArrayXd& weight)
+      : root(weight.sqrt()), design(root.asDiagonal() * rows.design) {}
+  Eigen::VectorXd root;  // sqrt of the rows' weights
   Eigen::HouseholderQR<Eigen::MatrixXd> design;
 };
 
-/// Lengths of the stays on one level that begin and end inside a piece of the record without gaps.
+/// By how much the stays on one level outlast the shortest that are surely seen (one or two rows
+/// alone pass for outliers): what chance leaves of them is exponential again. Only stays that begin
+/// and end inside a piece of the record without gaps.
 std::vector<double> stays_s(const SlowGrid& grid, const Eigen::VectorXd& high, bool upper) {
   std::vector<double> stays;
   double began_s = -1;  // below 0: its beginning was not seen
@@ -101,7 +112,8 @@ std::vector<double> stays_s(const SlowGrid& grid, const Eigen::VectorXd& high, b
     const bool before = high(k - 1) > 0.5, now = high(k) > 0.5;
     if (before == now) continue;
     const double flip_s = grid.t_s[at] - dt_s / 2;
-    if (before == upper && began_s >= 0) stays.push_back(flip_s - began_s);
+    const double beyond_s = flip_s - began_s - 2.5 * dt_s;
+    if (before == upper && began_s >= 0 && beyond_s > 0) stays.push_back(beyond_s);
     began_s = flip_s;
   }
   return stays;
@@ -122,12 +134,12 @@ double gamma_gain(const std::vector<double>& lengths) {
   return best;
 }
 
-void maximise(const SlowModel& model, const Weighted& weighted, const Expectation& expected,
+void maximise(const Rows& rows, const Weighted& weighted, const Expectation& expected,
               Levels& levels) {
   const Eigen::VectorXd state = expected.high.array() - 0.5;
-  const Eigen::VectorXd without = model.y() - levels.level * state;
+  const Eigen::VectorXd without = rows.y - levels.level * state;
   levels.coefficients = weighted.design.solve((weighted.root.array() * without.array()).matrix());
-  const Eigen::VectorXd residual = model.y() - model.design() * levels.coefficients;
+  const Eigen::VectorXd residual = rows.y - rows.design * levels.coefficients;
   const Eigen::ArrayXd w = weighted.root.array().square();
   levels.level = (w * state.array() * residual.array()).sum() / (w.sum() * 0.25);
   const Eigen::ArrayXd spread =
@@ -138,29 +150,45 @@ void maximise(const SlowModel& model, const Weighted& weighted, const Expectatio
   levels.fall_per_s = std::clamp(expected.falls / std::max(expected.high_s, 1.0), 1e-6, 0.2);
 }
 
+/// Expectation and maximisation in turn, from the levels given, until nothing is gained any more.
+Expectation climb(const Rows& rows, const Weighted& weighted, Levels& levels) {
+  Expectation expected;
+  double before = -1e300;
+  for (int i = 0; i < 60; ++i) {
+    expected = expect(rows.grid, rows.y - rows.design * levels.coefficients, levels);
+    if (expected.log_likelihood - before < 1e-3 && i > 5) break;
+    before = expected.log_likelihood;
+    maximise(rows, weighted, expected, levels);
+  }
+  return expected;
+}
+
+Eigen::VectorXd rest_of_rows(const SlowModel& model) {
+  const SlowStream& stream = model.stream();
+  return stream.row_y_dps() - stream.at_rows(model.prediction()) -
+         stream.spread_to_rows(model.known_bins());
+}
+
 }  // namespace
 
 SlowTelegraph fit_slow_telegraph(const SlowModel& model) {
-  const SlowGrid& grid = model.stream().grid();
-  Weighted weighted;
-  weighted.root = Eigen::Map<const Eigen::ArrayXd>(grid.weight_s.data(), model.y().size()).sqrt();
-  weighted.design.compute(weighted.root.asDiagonal() * model.design());
-  const SlowFit white = fit_given_shape(grid, model.y(), model.design(), {});
-  const double sd = white.white_sd_dps / std::sqrt(grid.weight_s.front());
+  const SlowStream& stream = model.stream();
+  const SlowGrid& grid = stream.row_grid();
+  // What is left of the rows, and the design to correct it by: bins tell its columns well enough.
+  const Rows rows{grid, rest_of_rows(model), stream.spread_to_rows(model.design())};
+  const Eigen::ArrayXd weight =
+      Eigen::Map<const Eigen::ArrayXd>(grid.weight_s.data(), rows.y.size());
+  const Weighted weighted(rows, weight);
+  const SlowFit white = fit_given_shape(grid, rows.y, rows.design, {});
+  const SlowFit bins = fit_given_shape(stream.grid(), model.y(), model.design(), {});
+  const double sd = bins.white_sd_dps / std::sqrt(stream.grid().weight_s.front());
   SlowTelegraph best;
   for (const double level : {1.0, 2.0}) {
     for (const double dwell_s : {60.0, 400.0, 2500.0}) {
       Levels levels{level * sd, 1 / dwell_s, 1 / dwell_s,
                     white.white_sd_dps * white.white_sd_dps * (level > 1.5 ? 0.3 : 0.75),
                     white.coefficients};
-      Expectation expected;
-      double before = -1e300;
-      for (int i = 0; i < 60; ++i) {
-        expected = expect(grid, model.y() - model.design() * levels.coefficients, levels);
-        if (expected.log_likelihood - before < 1e-3 && i > 5) break;
-        before = expected.log_likelihood;
-        maximise(model, weighted, expected, levels);
-      }
+      const Expectation expected = climb(rows, weighted, levels);
       if (expected.log_likelihood <= best.log_likelihood) continue;
       best.log_likelihood = expected.log_likelihood;
       best.level_dps = std::abs(levels.level);
@@ -168,14 +196,13 @@ SlowTelegraph fit_slow_telegraph(const SlowModel& model) {
       best.high_dwell_s = 1 / levels.fall_per_s;
       best.flips = expected.rises + expected.falls;
       best.high = expected.high;
-      best.regular_nats = gamma_gain(stays_s(grid, expected.high, true)) +
-                          gamma_gain(stays_s(grid, expected.high, false));
-      best.level_sd_dps =
-          2 *
-          std::sqrt(levels.white_variance /
-                    Eigen::Map<const Eigen::ArrayXd>(grid.weight_s.data(), model.y().size()).sum());
+      best.level_sd_dps = 2 * std::sqrt(levels.white_variance / weight.sum());
     }
   }
+  best.regular_nats =
+      gamma_gain(stays_s(grid, best.high, true)) + gamma_gain(stays_s(grid, best.high, false));
+  best.lead_nats = best.log_likelihood - relaxing_log_likelihood(grid, rows.y, rows.design);
+  best.high = stream.bin_rows(best.high);
   return best;
 }
 

@@ -11,7 +11,7 @@
 namespace gyrocal {
 namespace {
 
-constexpr int cosines = 24;
+constexpr int cosines = 25;  // the first is level: with a factor, the design does not hold it
 
 struct Driver {
   std::string name, unit;
@@ -80,13 +80,13 @@ Basis basis_of(const SlowModel& model, const Driver& driver) {
   const auto [low, high] = std::minmax_element(driver.value.begin(), driver.value.end());
   Basis basis;
   basis.bins.resize(model.y().size(), cosines);
-  for (int k = 1; k <= cosines; ++k) {
+  for (int k = 0; k < cosines; ++k) {
     std::vector<double> course(driver.value.size());
     for (std::size_t i = 0; i < course.size(); ++i) {
       const double x = (driver.value[i] - *low) / std::max(*high - *low, 1e-12);
-      course[i] = driver.factor[i] * std::cos(k * std::numbers::pi * x) / std::sqrt(k);
+      course[i] = driver.factor[i] * std::cos(k * std::numbers::pi * x) / std::sqrt(std::max(k, 1));
     }
-    basis.bins.col(k - 1) = model.stream().bin(course);
+    basis.bins.col(k) = model.stream().bin(course);
     basis.courses.push_back(std::move(course));
   }
   return basis;
