@@ -18,8 +18,8 @@ using AddCommand = void (*)(Command& root, Chosen& chosen);
 /// Every subcommand of `gyrocal`, in the order `--help` shows them.
 void add_all_commands(Command& root, Chosen& chosen);
 
-/// What this first word of a command line needs: one subcommand where it names one, since the tree
-/// of all takes as long to build as the program takes to load; else all, for help and hints.
+/// What this first word of a command line needs: one subcommand where it names one, since building
+/// the tree of all is a tenth of the program's start; else all, for help and hints.
 void add_commands_for(std::string_view first_word, Command& root, Chosen& chosen);
 
 void add_allan(Command& root, Chosen& chosen);
