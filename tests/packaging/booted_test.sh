@@ -53,7 +53,7 @@ made_safe() { log | grep -cE '^chamber .*, confirmed' || true; }
 
 install() {
   cp "$1" "$root/var/tmp/gyrocal.deb"
-  inside apt-get install -y -qq --no-install-recommends --reinstall /var/tmp/gyrocal.deb
+  inside apt-get install -y -qq --no-install-recommends --reinstall --allow-downgrades /var/tmp/gyrocal.deb
 }
 
 cp /etc/resolv.conf "$root/etc/resolv.conf"

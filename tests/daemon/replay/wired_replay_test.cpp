@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "config/text_file.h"
 #include "daemon/replay/recorded_span.h"
 #include "schema/compare_campaigns.h"
 #include "schema/open_database.h"
@@ -27,7 +28,17 @@ runner::RunRequest request_in(const TemporaryFolder& folder, const ServedRig& ri
   return request;
 }
 
-/// gyrocald, killed after a while or left to end.
+/// Whether the daemon has begun, as it says itself; gives up after two minutes.
+bool began(const std::string& log) {
+  for (int i = 0; i < 1200; ++i) {
+    const auto said = read_text_file(log);
+    if (said && said->find("-> ramping") != std::string::npos) return true;
+    ::usleep(100'000);
+  }
+  return false;
+}
+
+/// gyrocald, killed a while after it began or left to end.
 int run_daemon(const TemporaryFolder& folder, std::optional<useconds_t> killed_after_us) {
   const std::string campaign = folder / "wired.toml";
   const std::string database = folder / "wired.db";
@@ -38,6 +49,7 @@ int run_daemon(const TemporaryFolder& folder, std::optional<useconds_t> killed_a
     ::_exit(127);
   }
   if (killed_after_us) {
+    CHECK(began(folder / "log"));
     ::usleep(*killed_after_us);  // the instant does not matter: any is good
     ::kill(daemon, SIGKILL);
   }
