@@ -1,5 +1,6 @@
 #include "daemon/runner/journal.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace gyrocal::runner {
@@ -19,7 +20,9 @@ Result<void> Journal::may_store() const {
 
 Result<void> Journal::event(Duration t, const std::string& severity, const std::string& kind,
                             const std::string& text) {
-  const EventInsert row{t.count(), clock_.utc_ns(), severity, kind, text};
+  // Told after what was told before it: a reading that was long on its way began earlier.
+  told_ = std::max(told_, t);
+  const EventInsert row{told_.count(), clock_.utc_ns(), severity, kind, text};
   if (log_) log_(row);
   if (auto may = may_store(); !may) return may;
   return noted(store_.add_event(campaign_, row));

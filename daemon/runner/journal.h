@@ -50,6 +50,7 @@ class Journal {
   StoreWatch watch_;
   std::size_t rows_per_write_;
   std::vector<MonitorInsert> pending_;
+  Duration told_ = Duration::min();  ///< of the latest event
 };
 
 }  // namespace gyrocal::runner

@@ -1,5 +1,5 @@
-// A number with a decimal point, and one with a unit, is a result: printed by a command that the page
-// names, or listed here with the reason why no command prints it.
+// A number with a decimal point, and one with a unit, is a result: printed by a command that the
+// page names, or listed here with the reason why no command prints it.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
@@ -15,7 +15,8 @@ using namespace gyrocal;
 namespace {
 
 struct Sources {
-  std::vector<std::string> commands;  ///< of gyrocal; they print the page's numbers. "!": exits not 0
+  std::vector<std::string>
+      commands;  ///< of gyrocal; they print the page's numbers. "!": exits not 0
   std::map<std::string, std::string> not_printed;  ///< number -> where it comes from instead
   /// What prints the numbers but takes too long for a test; the page names it. Empty: nothing.
   std::string slow = "";
@@ -26,9 +27,12 @@ std::map<std::string, Sources> sources_of_pages() {
   return {
       {"README.md",
        {{"run " GYROCAL_SOURCE_DIR "/config/campaigns/demo.toml --virtual --seed 7 --db " + demo},
-        {{"50 \xc2\xb0" "C", "the paper's highest setpoint"}}}},
+        {{"50 \xc2\xb0"
+          "C",
+          "the paper's highest setpoint"}}}},
       {"docs/architecture.md", {}},
-      {"docs/database.md", {{}, {{"20 degC", "an example of a question"}, {"95 %", "which intervals"}}}},
+      {"docs/database.md",
+       {{}, {{"20 degC", "an example of a question"}, {"95 %", "which intervals"}}}},
       {"docs/diagnose.md", {{}, {}, "make judge"}},
       {"docs/exit_codes.md", {}},
       {"docs/first-campaign.md",
@@ -80,8 +84,10 @@ std::set<std::string> decimals_of(const std::string& text) {
 std::set<std::string> figures_of(const std::string& text) {
   static const std::regex blocks("```[^`]*```");
   static const std::regex figure(
-      "(^|[^-0-9.,/_A-Za-z])([0-9]+ ?(%|(ms|s|MB|kB|hours|minutes|min|days|samples|setpoints|boards|"
-      "degC|\xc2\xb0" "C|nats|Hz|bytes)\\b))");
+      "(^|[^-0-9.,/_A-Za-z])([0-9]+ "
+      "?(%|(ms|s|MB|kB|hours|minutes|min|days|samples|setpoints|boards|"
+      "degC|\xc2\xb0"
+      "C|nats|Hz|bytes)\\b))");
   return matches(std::regex_replace(text, blocks, ""), figure, 2);
 }
 

@@ -235,8 +235,14 @@ std::optional<std::string> WatchedCampaign::one_process() {
 void WatchedCampaign::make_safe() {
   Drivers drivers(config_, rig_, world_, host_,
                   [this](const modbus::Request& request) { wrote(request); });
-  const auto done = runner::make_chamber_safe(config_, drivers.chamber(), host_, make_safe_within);
-  if (!done) log_.push_back("make-safe: " + to_text(done.error()));
+  try {
+    const auto done =
+        runner::make_chamber_safe(config_, drivers.chamber(), host_, make_safe_within);
+    if (!done) log_.push_back("make-safe: " + to_text(done.error()));
+  } catch (const Crashed&) {  // killed too; the next daemon does its work
+    ++crashes_;
+    log_.push_back("make-safe: killed");
+  }
 }
 
 void WatchedCampaign::close_ports() {

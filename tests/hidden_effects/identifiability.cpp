@@ -79,8 +79,7 @@ std::vector<RivalShape> shapes_of(const RivalClass& rival, const Eigen::MatrixXd
   for (Eigen::Index k = 0; k < seen.cols(); ++k) {
     const double energy = seen.col(k).squaredNorm();
     if (energy <= 1e-8 * raw.col(k).squaredNorm()) continue;  // a nuisance in disguise
-    shapes.push_back(
-        {signature.dot(seen.col(k)), energy, rival.least_share, rival.greatest_share});
+    shapes.push_back({signature.dot(seen.col(k)), energy, rival.least_share, rival.greatest_share});
   }
   return shapes;
 }
@@ -116,7 +115,8 @@ double Cost::at(double amplitude) const {
   double least = std::numeric_limits<double>::max();
   for (const auto& noise : noises_) {
     double left = amplitude * amplitude * noise.energy;
-    for (const auto& shape : noise.shapes) left = std::min(left, shape.left(amplitude, noise.energy));
+    for (const auto& shape : noise.shapes)
+      left = std::min(left, shape.left(amplitude, noise.energy));
     least = std::min(least, noise.fixed_nats + 0.5 * std::max(left, 0.0));
   }
   return least;

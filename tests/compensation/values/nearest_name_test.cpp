@@ -20,7 +20,8 @@ TEST_CASE("one slip of each kind still finds the name", "[names]") {
   CHECK(nearest_name("fit", commands) == "fit");
 }
 
-TEST_CASE("a swap of neighbours counts once, so that it wins over two replaced letters", "[names]") {
+TEST_CASE("a swap of neighbours counts once, so that it wins over two replaced letters",
+          "[names]") {
   constexpr std::array<std::string_view, 2> near = {"abdd", "abdc"};
   CHECK(nearest_name("abcd", near) == "abdd");  // one edit each: the first of them
   constexpr std::array<std::string_view, 2> far = {"axxde", "acbde"};
