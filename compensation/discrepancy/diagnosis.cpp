@@ -173,13 +173,17 @@ Simulation simulation_of(const Case& c, const SlowModel& model, const rig::RigMo
 
 bool is_effect(const Finding& finding, const char* name) { return finding.effect == name; }
 
+std::vector<Finding>::iterator among(std::vector<Finding>& findings, const char* name) {
+  return std::find_if(findings.begin(), findings.end(),
+                      [name](const Finding& f) { return is_effect(f, name); });
+}
+
 /// Sines of one grid are one hum: the strongest leads, another is told as a share of it.
 void merge_harmonics(std::vector<Finding>& findings) {
-  const auto hum = [](const Finding& f) { return is_effect(f, "mains_hum"); };
-  const auto first = std::find_if(findings.begin(), findings.end(), hum);
+  const auto first = among(findings, "mains_hum");
   if (first == findings.end()) return;
   for (auto other = first + 1; other != findings.end();) {
-    if (!hum(*other)) {
+    if (!is_effect(*other, "mains_hum")) {
       ++other;
       continue;
     }
@@ -195,9 +199,8 @@ void merge_harmonics(std::vector<Finding>& findings) {
 /// parts of some: theirs are the numbers.
 void merge_telegraphs(std::vector<Finding>& slow, std::vector<Finding>& fast) {
   constexpr double same_level = 1.4;
-  const auto telegraph = [](const Finding& f) { return is_effect(f, "random_telegraph_noise"); };
-  const auto in_rows = std::find_if(slow.begin(), slow.end(), telegraph);
-  const auto in_dwells = std::find_if(fast.begin(), fast.end(), telegraph);
+  const auto in_rows = among(slow, "random_telegraph_noise");
+  const auto in_dwells = among(fast, "random_telegraph_noise");
   if (in_rows == slow.end() || in_dwells == fast.end()) return;
   const double ratio = in_rows->amplitude / in_dwells->amplitude;
   if (ratio > same_level || ratio < 1 / same_level) return;
@@ -209,10 +212,6 @@ void merge_telegraphs(std::vector<Finding>& slow, std::vector<Finding>& fast) {
 /// One cause seen in two channels is one finding.
 void settle_between_channels(std::vector<Finding>& slow, std::vector<Finding>& fast, double lsb_dps,
                              bool codes_bend) {
-  const auto among = [](std::vector<Finding>& findings, const char* name) {
-    return std::find_if(findings.begin(), findings.end(),
-                        [name](const Finding& f) { return is_effect(f, name); });
-  };
   // A board warmed by its own electronics reads warmer than the air: no fault of its sensor.
   const auto may_be = [&slow](const char* name) {
     return std::any_of(slow.begin(), slow.end(), [name](const Finding& f) {

@@ -1,10 +1,9 @@
 #include "compensation/discrepancy/relaxing_drift.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "compensation/discrepancy/profiled_level.h"
 #include "compensation/discrepancy/simplex.h"
 
 namespace gyrocal {
@@ -37,10 +36,7 @@ double log_likelihood(const SlowGrid& grid, const Eigen::MatrixXd& columns,
     variance -= variance * variance / innovation;
     logs += std::log(innovation);
   }
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(white);
-  const double rss = std::pow(qr.matrixQR()(width - 1, width - 1), 2);
-  const auto count = static_cast<double>(n);
-  return -0.5 * (count * (std::log(2 * std::numbers::pi * rss / count) + 1) + logs);
+  return profile_level(white, logs).log_likelihood;
 }
 
 }  // namespace

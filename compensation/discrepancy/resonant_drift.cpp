@@ -1,11 +1,11 @@
 #include "compensation/discrepancy/resonant_drift.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "compensation/discrepancy/profiled_level.h"
 #include "compensation/discrepancy/simplex.h"
 
 namespace gyrocal {
@@ -33,12 +33,9 @@ Eigen::Matrix2d move(const Resonance& resonance, double dt_s) {
   return (slow + fast) / 2 * Eigen::Matrix2d::Identity() + (slow - fast) / (2 * s) * off;
 }
 
-struct Profile {
-  double log_likelihood = -1e300, white_variance = 0;
-};
-
 /// @param columns  design and, last, y.
-Profile profile(const SlowGrid& grid, const Eigen::MatrixXd& columns, const Resonance& resonance) {
+ProfiledLevel profile(const SlowGrid& grid, const Eigen::MatrixXd& columns,
+                      const Resonance& resonance) {
   const Eigen::Index n = columns.rows(), width = columns.cols();
   const double v = resonance.variance;
   const Eigen::Matrix2d still =
@@ -68,14 +65,7 @@ Profile profile(const SlowGrid& grid, const Eigen::MatrixXd& columns, const Reso
     covariance -= gain * gain.transpose() * innovation;
     logs += std::log(innovation);
   }
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(white);
-  const double rss = std::pow(qr.matrixQR()(width - 1, width - 1), 2);
-  const auto count = static_cast<double>(n);
-  Profile result;
-  result.white_variance = rss / count;
-  result.log_likelihood =
-      -0.5 * (count * (std::log(2 * std::numbers::pi * result.white_variance) + 1) + logs);
-  return result;
+  return profile_level(white, logs);
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ SlowStream::SlowStream(const Session& session, std::span<const std::size_t> rows
 Eigen::VectorXd SlowStream::bin(std::span<const double> course) const {
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(y_dps_.size());
   for (const Tap& tap : taps_) {
-    sums(tap.bin) += tap.left_share * course[tap.left] + tap.right_share * course[tap.left + 1];
+    sums(tap.bin) += tap.of(course);
   }
   return sums.cwiseQuotient(rows_in_bin_);
 }
@@ -88,9 +88,7 @@ Eigen::VectorXd SlowStream::bin(std::span<const double> course) const {
 Eigen::VectorXd SlowStream::at_rows(std::span<const double> course) const {
   Eigen::VectorXd rows(row_y_dps_.size());
   for (std::size_t i = 0; i < taps_.size(); ++i) {
-    const Tap& tap = taps_[i];
-    rows(static_cast<Eigen::Index>(i)) =
-        tap.left_share * course[tap.left] + tap.right_share * course[tap.left + 1];
+    rows(static_cast<Eigen::Index>(i)) = taps_[i].of(course);
   }
   return rows;
 }

@@ -44,6 +44,10 @@ class SlowStream {
     std::uint32_t left;
     double left_share;
     double right_share;
+
+    [[nodiscard]] double of(std::span<const double> course) const {
+      return left_share * course[left] + right_share * course[left + 1];
+    }
   };
   SlowGrid grid_, row_grid_;
   Eigen::VectorXd y_dps_, row_y_dps_;

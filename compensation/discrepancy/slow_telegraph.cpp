@@ -180,17 +180,17 @@ SlowTelegraph fit_slow_telegraph(const SlowModel& model) {
       Eigen::Map<const Eigen::ArrayXd>(grid.weight_s.data(), rows.y.size());
   const Weighted weighted(rows, weight);
   const SlowFit white = fit_given_shape(grid, rows.y, rows.design, {});
-  const SlowFit bins = fit_given_shape(stream.grid(), model.y(), model.design(), {});
-  const double sd = bins.white_sd_dps / std::sqrt(stream.grid().weight_s.front());
+  const double sd = model.fit().white_sd_dps / std::sqrt(stream.grid().weight_s.front());
   SlowTelegraph best;
+  double log_likelihood = -1e300;  // of design + two levels + white noise
   for (const double level : {1.0, 2.0}) {
     for (const double dwell_s : {60.0, 400.0, 2500.0}) {
       Levels levels{level * sd, 1 / dwell_s, 1 / dwell_s,
                     white.white_sd_dps * white.white_sd_dps * (level > 1.5 ? 0.3 : 0.75),
                     white.coefficients};
       const Expectation expected = climb(rows, weighted, levels);
-      if (expected.log_likelihood <= best.log_likelihood) continue;
-      best.log_likelihood = expected.log_likelihood;
+      if (expected.log_likelihood <= log_likelihood) continue;
+      log_likelihood = expected.log_likelihood;
       best.level_dps = std::abs(levels.level);
       best.low_dwell_s = 1 / levels.rise_per_s;
       best.high_dwell_s = 1 / levels.fall_per_s;
@@ -201,7 +201,7 @@ SlowTelegraph fit_slow_telegraph(const SlowModel& model) {
   }
   best.regular_nats =
       gamma_gain(stays_s(grid, best.high, true)) + gamma_gain(stays_s(grid, best.high, false));
-  best.lead_nats = best.log_likelihood - relaxing_log_likelihood(grid, rows.y, rows.design);
+  best.lead_nats = log_likelihood - relaxing_log_likelihood(grid, rows.y, rows.design);
   best.high = stream.bin_rows(best.high);
   return best;
 }

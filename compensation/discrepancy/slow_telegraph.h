@@ -6,7 +6,6 @@ namespace gyrocal {
 
 /// Two-level switching slow enough to be seen in the slow stream.
 struct SlowTelegraph {
-  double log_likelihood = -1e300;  ///< of design + two levels + white noise, over the rows [nat]
   /// Over Gaussian noise of the same spectrum (a walk that forgets), both over the rows [nat].
   double lead_nats = 0;
   double level_dps = 0, level_sd_dps = 0;
@@ -21,6 +20,7 @@ struct SlowTelegraph {
 /// Hidden Markov model over the monitor's rows (a bin with a flip inside lies between the levels),
 /// the design's coefficients fitted with it, several starts. One flip is a jump, not a telegraph:
 /// `flips` tells.
+/// @param model  without drift noise of its own.
 [[nodiscard]] SlowTelegraph fit_slow_telegraph(const SlowModel& model);
 
 }  // namespace gyrocal

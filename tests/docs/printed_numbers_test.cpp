@@ -15,8 +15,8 @@ using namespace gyrocal;
 namespace {
 
 struct Sources {
-  std::vector<std::string>
-      commands;  ///< of gyrocal; they print the page's numbers. "!": exits not 0
+  /// Of gyrocal; they print the page's numbers. "!" before one that exits with another code than 0.
+  std::vector<std::string> commands;
   std::map<std::string, std::string> not_printed;  ///< number -> where it comes from instead
   /// What prints the numbers but takes too long for a test; the page names it. Empty: nothing.
   std::string slow = "";
@@ -27,9 +27,7 @@ std::map<std::string, Sources> sources_of_pages() {
   return {
       {"README.md",
        {{"run " GYROCAL_SOURCE_DIR "/config/campaigns/demo.toml --virtual --seed 7 --db " + demo},
-        {{"50 \xc2\xb0"
-          "C",
-          "the paper's highest setpoint"}}}},
+        {{"50 °C", "the paper's highest setpoint"}}}},
       {"docs/architecture.md", {}},
       {"docs/database.md",
        {{}, {{"20 degC", "an example of a question"}, {"95 %", "which intervals"}}}},
@@ -86,8 +84,7 @@ std::set<std::string> figures_of(const std::string& text) {
   static const std::regex figure(
       "(^|[^-0-9.,/_A-Za-z])([0-9]+ "
       "?(%|(ms|s|MB|kB|hours|minutes|min|days|samples|setpoints|boards|"
-      "degC|\xc2\xb0"
-      "C|nats|Hz|bytes)\\b))");
+      "degC|°C|nats|Hz|bytes)\\b))");
   return matches(std::regex_replace(text, blocks, ""), figure, 2);
 }
 
