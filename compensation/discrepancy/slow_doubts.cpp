@@ -6,39 +6,53 @@
 #include <cmath>
 
 #include "compensation/discrepancy/slow_fit.h"
+#include "compensation/rig/thermal_lags.h"
 
 namespace gyrocal {
 namespace {
 
-SlowFit with_courses(const SlowModel& model, const std::vector<std::vector<double>>& courses) {
+constexpr double noise_costs_nats = 1;
+constexpr double parameter_costs_nats = 1;
+constexpr double tau_s_max = 900;
+
+/// Courses beside the present model, and what they gain at the best of the noises they may have.
+struct Alternative {
+  SlowFit fit;
+  double nats;
+};
+
+Alternative with_courses(const SlowModel& model, const std::vector<std::vector<double>>& courses) {
   const Eigen::Index before = model.design().cols();
   Eigen::MatrixXd design(model.y().size(), before + static_cast<Eigen::Index>(courses.size()));
   design.leftCols(before) = model.design();
   for (std::size_t k = 0; k < courses.size(); ++k) {
     design.col(before + static_cast<Eigen::Index>(k)) = model.stream().bin(courses[k]);
   }
-  return refit_noise(model.stream().grid(), model.y(), design, model.noise(), model.fit().shape);
+  const SlowGrid& grid = model.stream().grid();
+  SlowFit same = refit_noise(grid, model.y(), design, model.noise(), model.fit().shape);
+  SlowFit free = refit_noise(grid, model.y(), design, all_noise, model.fit_free().shape);
+  const bool needs_noise = free.log_likelihood - noise_costs_nats > same.log_likelihood;
+  const double nats = (needs_noise ? free.log_likelihood - noise_costs_nats : same.log_likelihood) -
+                      model.fit().log_likelihood;
+  return {needs_noise ? std::move(free) : std::move(same), nats};
 }
 
-bool nearly_as_good(const SlowModel& model, const SlowFit& fit, double cost_nats,
-                    const SlowOption& chosen) {
-  return fit.log_likelihood - model.fit().log_likelihood - cost_nats >
-         chosen.score - lead_to_name_nats;
+bool nearly_as_good(const SlowModel& model, double nats, const SlowOption& chosen) {
+  return nats > with_own_noise(model, chosen) - lead_to_name_nats;
 }
 
 bool rate_could_be_lag(const SlowModel& model, const SlowOption& rate) {
-  constexpr double tau_s_max = 900;
   std::vector<double> course;
   for (const rig::Drivers& now : model.track().record) {
     course.push_back(-model.bias().slope(now.die_c) * now.die_rate_c_per_min / 60);
   }
-  const SlowFit fit = with_courses(model, {course});
-  const double tau_s = fit.coefficients.tail(1)(0);
-  return tau_s > 0 && tau_s < tau_s_max && nearly_as_good(model, fit, 0, rate);
+  const Alternative lag = with_courses(model, {course});
+  const double tau_s = lag.fit.coefficients.tail(1)(0);
+  return tau_s > 0 && tau_s < tau_s_max && nearly_as_good(model, lag.nats, rate);
 }
 
-bool lag_could_be_rate(const SlowModel& model, const SlowOption& lag) {
-  constexpr double delay_costs_nats = 1;
+/// A rate that comes late or early by a delay short enough to be a wrong lag of the die's.
+bool lag_could_be_early_rate(const SlowModel& model, const SlowOption& lag) {
   const auto& record = model.track().record;
   std::vector<double> rate, change;
   for (std::size_t i = 0; i < record.size(); ++i) {
@@ -48,10 +62,51 @@ bool lag_could_be_rate(const SlowModel& model, const SlowOption& lag) {
     change.push_back((after.die_rate_c_per_min - before.die_rate_c_per_min) /
                      std::max(after.t_s - before.t_s, 1e-9));
   }
-  const SlowFit fit = with_courses(model, {rate, change});
-  const double delay_s = -fit.coefficients.tail(1)(0) / fit.coefficients.tail(2)(0);
-  return std::abs(delay_s) < std::max(model.track().die_tau_s, lag.finding.amplitude) &&
-         nearly_as_good(model, fit, delay_costs_nats, lag);
+  const Alternative late = with_courses(model, {rate, change});
+  const double size = late.fit.coefficients.tail(2)(0);
+  const double delay_s = -late.fit.coefficients.tail(1)(0) / size;
+  const double delay_sd_s = late.fit.standard_error.tail(1)(0) / std::abs(size);
+  return std::abs(delay_s) - 2 * delay_sd_s <
+             std::max(model.track().die_tau_s, lag.finding.amplitude) &&
+         nearly_as_good(model, late.nats - parameter_costs_nats, lag);
+}
+
+/// What a lag of the temperature told makes of any course.
+template <class Of>
+std::vector<double> lagged(const SlowModel& model, double tau_s, const Of& of) {
+  const auto& record = model.track().record;
+  std::vector<double> course;
+  rig::ThermalLag lag(tau_s, of(record.front()));
+  double last_s = record.front().t_s;
+  for (const rig::Drivers& now : record) {
+    course.push_back(lag.advance(now.t_s - last_s, of(now)));
+    last_s = now.t_s;
+  }
+  return course;
+}
+
+/// A rate that trails just as the temperature does: over a straight bias the same to the last bit.
+bool lag_could_be_trailing_rate(const SlowModel& model, const SlowOption& lag) {
+  const auto rate = [](const rig::Drivers& now) { return now.die_rate_c_per_min; };
+  const Alternative late = with_courses(model, {lagged(model, lag.finding.amplitude, rate)});
+  return nearly_as_good(model, late.nats - parameter_costs_nats, lag);
+}
+
+bool relaxation_could_be_lag(const SlowModel& model, const SlowOption& relaxation) {
+  const auto& record = model.track().record;
+  for (const double tau_s : {tau_s_max, 600.0, 400.0, 250.0, 150.0, 60.0}) {
+    auto course = lagged(model, tau_s, [](const rig::Drivers& now) { return now.die_c; });
+    for (std::size_t i = 0; i < course.size(); ++i) {
+      course[i] = model.bias().at(course[i]) - model.bias().at(record[i].die_c);
+    }
+    const Alternative trailing = with_courses(model, {course});
+    const double share = trailing.fit.coefficients.tail(1)(0);
+    if (share > 0 && share <= 1 &&
+        nearly_as_good(model, trailing.nats - parameter_costs_nats, relaxation)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void doubt(SlowOption& option, const char* rival) {
@@ -62,6 +117,10 @@ void doubt(SlowOption& option, const char* rival) {
 }
 
 }  // namespace
+
+double with_own_noise(const SlowModel& model, const SlowOption& option) {
+  return std::max(option.score, option.beyond_noise + model.noise_gain_nats() - noise_costs_nats);
+}
 
 bool is_noise(const SlowOption& option) { return option.noise.flicker || option.noise.walk; }
 
@@ -99,10 +158,16 @@ bool curve_beats_chance(const SmoothGain& curve, const SlowOption& option) {
          curve.nats > std::max(unknown_gate_nats, option.beyond_noise);
 }
 
-void doubt_ramps(const SlowModel& model, SlowOption& option) {
+void doubt_lags(const SlowModel& model, SlowOption& option) {
   const std::string& name = option.finding.effect;
   if (name == "temperature_rate" && rate_could_be_lag(model, option)) doubt(option, "thermal_lag");
-  if (name == "thermal_lag" && lag_could_be_rate(model, option)) doubt(option, "temperature_rate");
+  if (name == "stress_relaxation" && relaxation_could_be_lag(model, option)) {
+    doubt(option, "thermal_lag");
+  }
+  if (name == "thermal_lag" &&
+      (lag_could_be_early_rate(model, option) || lag_could_be_trailing_rate(model, option))) {
+    doubt(option, "temperature_rate");
+  }
 }
 
 }  // namespace gyrocal

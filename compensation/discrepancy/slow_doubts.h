@@ -25,11 +25,18 @@ inline constexpr double curve_over_name = 1.5;
 /// that it and not they is the better story.
 [[nodiscard]] bool curve_beats_chance(const SmoothGain& curve, const SlowOption& option);
 
+/// What a drift explains beside the noise that it needs [nat]: what a wrong law leaves over, a
+/// little flicker or a random walk may take.
+[[nodiscard]] double with_own_noise(const SlowModel& model, const SlowOption& option);
+
 /// Where the bias is nearly straight, a rate effect and a lag of the die differ only in the minutes
 /// in which ramps begin and end, and those hang on lags and instants that are assumed. If the lag's
 /// first order, -tau b'(T) r, does as well as the rate itself, the lag joins its rivals; if a rate
 /// of a part that trails the die does as well as a lag, k r(t - d) with |d| no longer than the lag
-/// told or the die's own, the rate joins its rivals.
-void doubt_ramps(const SlowModel& model, SlowOption& option);
+/// told or the die's own, the rate joins its rivals. A part of the bias that trails the rest, q
+/// (b(L[T])
+/// - b(T)) with 0 < q <= 1, makes the tail of a relaxation: if it does as well, the lag joins the
+/// relaxation's rivals.
+void doubt_lags(const SlowModel& model, SlowOption& option);
 
 }  // namespace gyrocal

@@ -81,7 +81,7 @@ void add_noise(const SlowModel& model, std::vector<SlowOption>& options) {
 /// that flicker and walk can, they lose their names. It keeps the family of the best of them, which
 /// follows its course well enough.
 void add_resonance(const SlowModel& model, std::vector<SlowOption>& options) {
-  if (model.fit_free().log_likelihood - model.fit().log_likelihood < resonance_worth_nats) return;
+  if (model.noise_gain_nats() < resonance_worth_nats) return;
   const ResonantDrift fit = fit_resonant_drift(model);
   if (fit.log_likelihood - model.fit_free().log_likelihood < resonance_lead_nats) return;
   const SlowOption* noise = nullptr;
@@ -112,7 +112,7 @@ void add_resonance(const SlowModel& model, std::vector<SlowOption>& options) {
 /// What two levels gain over the Gaussian noise of their spectrum is seen in the rows; what that
 /// noise gains, in the bins.
 void add_telegraph(const SlowModel& model, std::vector<SlowOption>& options) {
-  const double noise_gain = model.fit_free().log_likelihood - model.fit().log_likelihood;
+  const double noise_gain = model.noise_gain_nats();
   // What no noise helps has no telegraph in it either: its spectrum is a Lorentzian.
   if (noise_gain < 2) return;
   if (model.noise().flicker || model.noise().walk) return;

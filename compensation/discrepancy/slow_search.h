@@ -55,6 +55,10 @@ class SlowModel {
   [[nodiscard]] const Eigen::VectorXd& known_bins() const { return known_bins_; }
   [[nodiscard]] const SlowFit& fit() const { return fit_; }            ///< with the present noise
   [[nodiscard]] const SlowFit& fit_free() const { return fit_free_; }  ///< with all noise
+  /// What flicker and a random walk would gain that the present noise does not have [nat].
+  [[nodiscard]] double noise_gain_nats() const {
+    return fit_free_.log_likelihood - fit_.log_likelihood;
+  }
   [[nodiscard]] const rig::CubicBias& bias() const { return bias_; }
   [[nodiscard]] const Eigen::MatrixXd& design() const { return design_; }
   [[nodiscard]] const Eigen::VectorXd& y() const { return y_; }

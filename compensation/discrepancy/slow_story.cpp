@@ -90,8 +90,17 @@ std::vector<SlowRank> ranking_of(const std::vector<SlowOption>& all) {
   return ranking;
 }
 
+double lead_over(const SlowModel& model, const SlowOption& chosen, const SlowOption& other) {
+  if (chosen.finding.term && other.finding.term) {
+    return with_own_noise(model, chosen) - with_own_noise(model, other);
+  }
+  const double lead = chosen.score - std::max(other.score, 0.0);
+  // A law may stand beside noise: what it gains then is its lead over noise alone.
+  return is_noise(other) && chosen.finding.term ? std::max(lead, chosen.beyond_noise) : lead;
+}
+
 /// Evidence, lead and rivals of the best option among all.
-void judge(SlowOption& chosen, const std::vector<SlowOption>& all) {
+void judge(const SlowModel& model, SlowOption& chosen, const std::vector<SlowOption>& all) {
   chosen.finding.evidence_nats = chosen.score;
   chosen.finding.lead_nats = chosen.score;
   chosen.finding.rivals.clear();
@@ -99,9 +108,7 @@ void judge(SlowOption& chosen, const std::vector<SlowOption>& all) {
   if (is_unknown(chosen)) return;
   for (const SlowOption& other : all) {
     if (other.finding.effect == chosen.finding.effect || is_unknown(other)) continue;
-    double lead = chosen.score - std::max(other.score, 0.0);
-    // A law may stand beside noise: what it gains then is its lead over noise alone.
-    if (is_noise(other) && chosen.finding.term) lead = std::max(lead, chosen.beyond_noise);
+    const double lead = lead_over(model, chosen, other);
     if (lead >= 0 && happens_once(chosen, other)) continue;
     chosen.finding.lead_nats = std::min(chosen.finding.lead_nats, lead);
     if (lead < lead_to_name_nats && other.score >= gate_nats - lead_to_name_nats) {
@@ -192,8 +199,8 @@ class Story {
         slow_options(model_, sample_rate_hz_, already(chapters_, excluded_, nobody), run_all_);
     const auto best = choose_next(options);
     if (best == options.end()) return false;
-    judge(*best, options);
-    doubt_ramps(model_, *best);
+    judge(model_, *best, options);
+    doubt_lags(model_, *best);
     const SmoothGain curve = smooth_gains(model_).front();
     if (curve_beats_name(curve, *best)) return false;
     SlowOption next = curve_beats_chance(curve, *best) ? curve_option(curve) : *best;
@@ -245,8 +252,8 @@ class Story {
         changed = true;
         continue;
       }
-      judge(*best, options);
-      doubt_ramps(model_, *best);
+      judge(model_, *best, options);
+      doubt_lags(model_, *best);
       changed = changed || best->finding.effect != chapters_[i].finding.effect;
       chapters_[i] = *best;
       ++i;
