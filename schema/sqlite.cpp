@@ -206,7 +206,15 @@ bool Database::read_only() const { return sqlite3_db_readonly(connection_.get(),
 std::int64_t Database::changes() const { return sqlite3_changes64(connection_.get()); }
 
 Result<void> Database::transaction(const std::function<Result<void>()>& body) const {
-  if (auto begun = execute("BEGIN IMMEDIATE"); !begun) return begun;
+  return between("BEGIN IMMEDIATE", body);
+}
+
+Result<void> Database::snapshot(const std::function<Result<void>()>& body) const {
+  return between("BEGIN DEFERRED", body);
+}
+
+Result<void> Database::between(const char* begin, const std::function<Result<void>()>& body) const {
+  if (auto begun = execute(begin); !begun) return begun;
   auto done = body();
   if (done) done = execute("COMMIT");
   if (!done && sqlite3_get_autocommit(connection_.get()) == 0) {

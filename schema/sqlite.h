@@ -95,8 +95,13 @@ class Database {
   /// Runs `body` in one transaction that takes the writer's place at once: committed to disk if it
   /// returns without error, undone else.
   [[nodiscard]] Result<void> transaction(const std::function<Result<void>()>& body) const;
+  /// Runs `body`, which only reads, over the database as it stands at its first reading, whatever
+  /// others write meanwhile. Cheaper than reading statement by statement: locked once.
+  [[nodiscard]] Result<void> snapshot(const std::function<Result<void>()>& body) const;
 
  private:
+  [[nodiscard]] Result<void> between(const char* begin,
+                                     const std::function<Result<void>()>& body) const;
   struct Close {
     void operator()(sqlite3* connection) const noexcept;
   };

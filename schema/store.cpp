@@ -9,9 +9,15 @@
 namespace gyrocal {
 namespace {
 
-/// Every commit is on disk when it returns, whatever happens to the power.
+/// Of a new file; one that holds something keeps its own. A quarter of the system calls of the
+/// usual 4 KiB: samples are written and read by the thousand.
+constexpr char layout[] = "PRAGMA page_size = 16384";
+
+/// Every commit is on disk when it returns, whatever happens to the power. Half a megabyte of cache
+/// holds a group; what is read once is better not kept. The -wal file stays near 4 MB.
 constexpr char writer_settings[] =
-    "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;";
+    "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;"
+    "PRAGMA cache_size = -500; PRAGMA wal_autocheckpoint = 250;";
 
 }  // namespace
 
@@ -30,6 +36,7 @@ Result<Store> Store::open(const std::string& path) {
     return fail(Errc::storage, fmt::format("open {} to write: Permission denied", path),
                 "check the permissions of the file and its folder");
   }
+  if (auto set = database->execute(layout); !set) return tl::unexpected(set.error());
   const auto migrated = migrate(*database, embedded_migrations(), embedded_views());
   if (!migrated) return tl::unexpected(migrated.error());
   if (auto set = database->execute(writer_settings); !set) return tl::unexpected(set.error());

@@ -236,6 +236,8 @@ class Store {
   [[nodiscard]] Result<void> add_diagnosis(const DiagnosisInsert& diagnosis);
 
   // What is read back.
+  /// All that `body` reads is of one moment, whatever is stored meanwhile; it writes nothing.
+  [[nodiscard]] Result<void> snapshot(const std::function<Result<void>()>& body) const;
   [[nodiscard]] Result<std::optional<OpenCampaign>> open_campaign() const;  ///< the latest, unended
   [[nodiscard]] Result<std::optional<CampaignId>> latest_campaign() const;
   [[nodiscard]] Result<CampaignRow> campaign(CampaignId campaign) const;

@@ -111,6 +111,10 @@ constexpr char t_last[] =
 
 }  // namespace
 
+Result<void> Store::snapshot(const std::function<Result<void>()>& body) const {
+  return impl_->database.snapshot(body);
+}
+
 Result<std::optional<CampaignId>> Store::latest_campaign() const {
   const auto id = impl_->database.integer("SELECT max(id) FROM campaign");
   if (!id) return tl::unexpected(id.error());

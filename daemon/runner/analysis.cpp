@@ -41,13 +41,12 @@ Moments moments(std::span<const double> values) {
   return {mean, values.size() > 1 ? std::sqrt(squares / (n - 1)) : 0};
 }
 
-/// Appends the `bytes` lowest bytes of a number, lowest first.
-void put(std::vector<std::uint8_t>& to, std::uint64_t value, std::size_t bytes) {
-  for (std::size_t i = 0; i < bytes; ++i) to.push_back(static_cast<std::uint8_t>(value >> 8 * i));
-}
-
-void put(std::vector<std::uint8_t>& to, std::int16_t value) {
-  put(to, static_cast<std::uint16_t>(value), 2);
+/// Writes a number's bytes, lowest first. @return where the next goes.
+template <class Number>
+std::uint8_t* put(std::uint8_t* to, Number value) {
+  const auto bits = static_cast<std::make_unsigned_t<Number>>(value);
+  for (std::size_t i = 0; i < sizeof bits; ++i) *to++ = static_cast<std::uint8_t>(bits >> 8 * i);
+  return to;
 }
 
 /// Over counter, counts and temperature of every sample, dwell after dwell.
@@ -55,12 +54,13 @@ std::string hash_of(std::span<const Dwell> dwells) {
   Sha256 hash;
   std::vector<std::uint8_t> bytes;
   for (const Dwell& dwell : dwells) {
-    bytes.clear();
-    put(bytes, dwell.samples.size(), 8);
+    constexpr std::size_t count_bytes = 8, sample_bytes = 4 + 3 * 2 + 2;
+    bytes.resize(count_bytes + dwell.samples.size() * sample_bytes);
+    std::uint8_t* next = put(bytes.data(), std::uint64_t{dwell.samples.size()});
     for (const BoardSample& sample : dwell.samples) {
-      put(bytes, sample.counter, 4);
-      for (const std::int16_t lsb : sample.gyro_lsb) put(bytes, lsb);
-      put(bytes, sample.temperature_raw.value_or(INT16_MIN));
+      next = put(next, std::uint32_t{sample.counter});
+      for (const std::int16_t lsb : sample.gyro_lsb) next = put(next, lsb);
+      next = put(next, sample.temperature_raw.value_or(INT16_MIN));
     }
     hash.add(bytes);
   }
@@ -253,8 +253,12 @@ Result<void> analyse_campaign(Store& store, CampaignId campaign, const CampaignC
                               const std::string& software_version) {
   auto settings = denoise_settings(config.analysis);
   if (!settings) return tl::unexpected(settings.error());
-  auto all = analyse_boards(store, campaign, config.plan.sample_rate_hz, *settings);
-  if (!all) return tl::unexpected(all.error());
+  Result<BoardResult> all;
+  const auto read = store.snapshot([&]() -> Result<void> {
+    all = analyse_boards(store, campaign, config.plan.sample_rate_hz, *settings);
+    return all ? Result<void>{} : tl::unexpected(all.error());
+  });
+  if (!read) return tl::unexpected(read.error());
   auto stored = store.add_analysis(campaign, {settings_json(config.analysis), software_version},
                                    all->drifts, all->models);
   if (!stored) return stored;
