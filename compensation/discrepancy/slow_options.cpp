@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compensation/discrepancy/dwell_spectrum.h"
+#include "compensation/discrepancy/relaxing_drift.h"
 #include "compensation/discrepancy/resonant_drift.h"
 #include "compensation/discrepancy/slow_line.h"
 #include "compensation/discrepancy/slow_telegraph.h"
@@ -16,7 +17,8 @@ namespace {
 constexpr double parameter_costs_nats = 1;
 constexpr double telegraph_costs_nats = 6;
 constexpr double telegraph_flips_min = 6;
-constexpr double regular_nats = 6;
+constexpr double regular_nats = 9;
+constexpr double regular_nats_per_flip = 0.03;  // short stays are not seen as often as they happen
 constexpr double resonance_worth_nats = 10;
 constexpr double resonance_lead_nats = 4;
 
@@ -110,7 +112,7 @@ void add_resonance(const SlowModel& model, std::vector<SlowOption>& options) {
 }
 
 /// What two levels gain over the Gaussian noise of their spectrum is seen in the rows; what that
-/// noise gains, in the bins.
+/// noise gains, in the bins, where it is held against all other noise.
 void add_telegraph(const SlowModel& model, std::vector<SlowOption>& options) {
   const double noise_gain = model.noise_gain_nats();
   // What no noise helps has no telegraph in it either: its spectrum is a Lorentzian.
@@ -121,10 +123,14 @@ void add_telegraph(const SlowModel& model, std::vector<SlowOption>& options) {
     if (option.finding.law == "resonant_noise") gaussian = std::max(gaussian, option.score);
   }
   const SlowTelegraph fit = fit_slow_telegraph(model);
-  if (fit.flips < telegraph_flips_min || fit.regular_nats > regular_nats) return;
+  if (fit.flips < telegraph_flips_min) return;
+  if (fit.regular_nats > regular_nats + regular_nats_per_flip * fit.flips) return;
   SlowOption option;
-  option.score = gaussian + fit.lead_nats - telegraph_costs_nats;
-  option.beyond_noise = option.score - noise_gain;
+  const double same_spectrum =
+      relaxing_log_likelihood(model.stream().grid(), model.y(), model.design()) -
+      model.fit().log_likelihood;
+  option.score = same_spectrum + fit.lead_nats - telegraph_costs_nats;
+  option.beyond_noise = option.score - gaussian;
   option.known_bins = fit.level_dps * (fit.high.array() - 0.5).matrix();
   option.finding.effect = "random_telegraph_noise";
   option.finding.law = "two_levels";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "compensation/discrepancy/relaxing_drift.h"
 #include "compensation/values/log_gamma.h"
@@ -119,17 +120,37 @@ std::vector<double> stays_s(const SlowGrid& grid, const Eigen::VectorXd& high, b
   return stays;
 }
 
-/// Maximum likelihood of a gamma law over the exponential of the same mean.
-double gamma_gain(const std::vector<double>& lengths) {
-  const auto n = static_cast<double>(lengths.size());
+double log_sum(double a, double b) {
+  const double most = std::max(a, b);
+  return most + std::log1p(std::exp(std::min(a, b) - most));
+}
+
+/// Maximum likelihood of a gamma law over the exponential of the mean. Up to a third of the stays
+/// may be exponential beside it: a stay cut in two by noise, or two taken for one, hide no clock.
+double gamma_gain(std::vector<double> lengths) {
   if (lengths.size() < 3) return 0;
-  double mean = 0, mean_log = 0;
-  for (const double s : lengths) mean += s / n, mean_log += std::log(s) / n;
-  const double spread = std::log(mean) - mean_log;
+  const auto n = static_cast<double>(lengths.size());
+  const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / n;
+  std::sort(lengths.begin(), lengths.end());
+  const auto gain = [&](double shape, double around, double others) {
+    const double scale = around / shape;
+    const double norm = log_gamma(shape) + shape * std::log(scale);
+    double sum = 0;
+    for (const double s : lengths) {
+      const double exponential = -s / mean - std::log(mean);
+      const double gamma = (shape - 1) * std::log(s) - s / scale - norm;
+      sum += log_sum(std::log(1 - others) + gamma, std::log(others) + exponential) - exponential;
+    }
+    return sum;
+  };
   double best = 0;
-  for (double shape = 1; shape < 500; shape *= 1.1) {
-    best = std::max(best,
-                    n * (shape * std::log(shape) - log_gamma(shape) - (shape - 1) * (1 + spread)));
+  for (const double quantile : {0.3, 0.4, 0.5, 0.6, 0.7}) {
+    const double around = lengths[static_cast<std::size_t>(quantile * n)];
+    for (double shape = 1; shape < 500; shape *= 1.2) {
+      for (const double others : {0.01, 0.1, 0.2, 0.33}) {
+        best = std::max(best, gain(shape, around, others));
+      }
+    }
   }
   return best;
 }

@@ -11,8 +11,9 @@ struct SlowTelegraph {
   double level_dps = 0, level_sd_dps = 0;
   double low_dwell_s = 0, high_dwell_s = 0;
   double flips = 0;  ///< expected number of changes of level
-  /// Gain of a gamma law for the lengths of stays over the exponential that chance makes: large
-  /// where something switches by a clock [nat].
+  /// Gain of a gamma law for the lengths of stays over the exponential that chance makes, stays cut
+  /// by noise allowed for: large where something switches by a clock [nat]. Of exponential stays
+  /// one set in a hundred exceeds 6 a level.
   double regular_nats = 0;
   Eigen::VectorXd high;  ///< probability of the high level, mean over each bin
 };
