@@ -202,11 +202,28 @@ class Story {
     judge(model_, *best, options);
     doubt_lags(model_, *best);
     const SmoothGain curve = smooth_gains(model_).front();
-    if (curve_beats_name(curve, *best)) return false;
+    if (curve_beats_name(curve, *best) || curve_outlives_name(curve, *best)) return false;
     SlowOption next = curve_beats_chance(curve, *best) ? curve_option(curve) : *best;
     next.finding.ranking = best->finding.ranking;
     add(std::move(next));
     return true;
+  }
+
+  /// Whether a curve that leads a law gains nearly as much once that law is in: then the law is
+  /// about something else, or about nothing.
+  [[nodiscard]] bool curve_outlives_name(const SmoothGain& curve, const SlowOption& option) {
+    constexpr double outlives = 0.6;
+    if (!option.finding.term || curve.nats < unknown_gate_nats) return false;
+    if (curve.nats < option.beyond_noise + lead_to_name_nats) return false;
+    chapters_.push_back(option);
+    remake();
+    const auto left = smooth_gains(model_);
+    chapters_.pop_back();
+    remake();
+    const auto same = std::find_if(left.begin(), left.end(), [&](const SmoothGain& gain) {
+      return gain.driver == curve.driver;
+    });
+    return same->nats > outlives * curve.nats;
   }
 
   /// What a curve or a noise without a name explains is what the fit gains by it, whatever else

@@ -11,6 +11,8 @@
 namespace gyrocal {
 namespace {
 
+constexpr double noise_worth_nats = 10;
+constexpr double rough_or_smooth[] = {0, 1.5};  // see marginal_gain
 constexpr int cosines = 25;  // the first is level: with a factor, the design does not hold it
 
 struct Driver {
@@ -98,7 +100,14 @@ struct Marginal {
   Eigen::VectorXd coefficients;
 };
 
-Marginal marginal_gain(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
+/// @param smooth  power of the wave number by which the curve's cosines are smaller than `rough`.
+Marginal marginal_gain(const Eigen::MatrixXd& rough, const Eigen::VectorXd& y, double smooth) {
+  const Eigen::VectorXd damping =
+      Eigen::VectorXd::LinSpaced(rough.cols(), 0, double(rough.cols() - 1))
+          .cwiseMax(1)
+          .array()
+          .pow(-smooth);
+  const Eigen::MatrixXd x = rough * damping.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(x.transpose() * x);
   const Eigen::VectorXd& lambda = eigen.eigenvalues();
   const Eigen::VectorXd along = eigen.eigenvectors().transpose() * (x.transpose() * y);
@@ -116,7 +125,7 @@ Marginal marginal_gain(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
       logs += std::log1p(v * l);
     }
     const double nats = -0.5 * (n * std::log1p(-std::min(explained / rss, 1 - 1e-12)) + logs);
-    if (nats > best.nats) best = {nats, eigen.eigenvectors() * shrunk};
+    if (nats > best.nats) best = {nats, damping.asDiagonal() * (eigen.eigenvectors() * shrunk)};
   }
   return best;
 }
@@ -143,21 +152,44 @@ void describe(const Driver& driver, const Basis& basis, const Marginal& marginal
   gain.rms_dps = std::sqrt(square);
 }
 
+/// What noise may stand beside a curve: as much as without it, or less where the curve does better.
+std::vector<SlowNoiseShape> noises_beside(const SlowModel& model) {
+  const SlowNoiseShape free = model.fit_free().shape;
+  std::vector<SlowNoiseShape> noises{free};
+  if (model.noise_gain_nats() > noise_worth_nats) {
+    noises.push_back({free.flicker_ratio * 0.05, free.walk_ratio * 0.05});
+    noises.push_back(model.fit().shape);
+  }
+  return noises;
+}
+
 }  // namespace
 
 std::vector<SmoothGain> smooth_gains(const SlowModel& model) {
-  const OffDesign design(model, model.fit_free().shape);
-  const Eigen::VectorXd y = design.off(model.y());
   std::vector<SmoothGain> gains;
-  for (const Driver& driver : drivers(model.track())) {
-    const Basis basis = basis_of(model, driver);
-    const Marginal marginal = marginal_gain(design.off(basis.bins), y);
-    SmoothGain gain;
-    gain.driver = driver.name;
-    gain.unit = driver.unit;
-    gain.nats = marginal.nats;
-    if (gain.nats > 0) describe(driver, basis, marginal, gain);
-    gains.push_back(std::move(gain));
+  std::vector<Basis> bases;
+  const std::vector<Driver> all = drivers(model.track());
+  for (const Driver& driver : all) {
+    bases.push_back(basis_of(model, driver));
+    gains.emplace_back();
+    gains.back().driver = driver.name;
+    gains.back().unit = driver.unit;
+  }
+  for (const SlowNoiseShape& noise : noises_beside(model)) {
+    const OffDesign design(model, noise);
+    const Eigen::VectorXd y = design.off(model.y());
+    const double without =
+        fit_whitened(design.whitener(), noise, model.y(), model.design()).log_likelihood;
+    const double loss = model.fit_free().log_likelihood - without;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Eigen::MatrixXd x = design.off(bases[i].bins);
+      for (const double smooth : rough_or_smooth) {
+        const Marginal marginal = marginal_gain(x, y, smooth);
+        if (marginal.nats - loss <= gains[i].nats) continue;
+        gains[i].nats = marginal.nats - loss;
+        describe(all[i], bases[i], marginal, gains[i]);
+      }
+    }
   }
   std::stable_sort(gains.begin(), gains.end(),
                    [](const SmoothGain& a, const SmoothGain& b) { return a.nats > b.nats; });

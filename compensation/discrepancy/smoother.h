@@ -19,7 +19,7 @@ struct SmoothGain {
 };
 
 /// Every driver, best first: cosines over the driver's range with a common variance that is
-/// fitted, against the present model with all noise free.
+/// fitted, against the present model with all noise free; beside the curve the noise may be less.
 /// Source: discrepancy_methods.md section 2, steps 5 and 7.
 [[nodiscard]] std::vector<SmoothGain> smooth_gains(const SlowModel& model);
 

@@ -18,7 +18,34 @@ void check_told_as_unknown(const Session& session) {
   for (const Finding& finding : found->findings) CHECK(finding.effect == "unknown");
 }
 
+/// The session with a drift added over time, the board's temperature and the chamber's.
+template <class Drift>
+Session with_warm_drift(Session session, const Drift& drift_dps) {
+  for (MonitorRow& row : session.monitor)
+    row.gyro_dps += drift_dps(row.t_s, row.board_c, row.chamber_c);
+  for (SessionSample& sample : session.samples) {
+    sample.gyro_dps += drift_dps(sample.t_s, sample.board_c, sample.chamber_c);
+  }
+  return session;
+}
+
 }  // namespace
+
+TEST_CASE("a leak that grows by the hour and by the degree is told as unknown, not as a walk") {
+  const Session quiet = quiet_session(11);
+  const double end_s = quiet.monitor.back().t_s;
+  check_told_as_unknown(with_warm_drift(quiet, [&](double t_s, double board_c, double) {
+    return 0.1 * t_s / end_s * std::exp((board_c - 50) / 9);
+  }));
+}
+
+TEST_CASE(
+    "a drift with the square of the rate is told as unknown, not as a jump at the longest ramp") {
+  check_told_as_unknown(
+      with_warm_drift(quiet_session(11), [](double, double board_c, double chamber_c) {
+        return 1.5e-3 * (chamber_c - board_c) * (chamber_c - board_c);
+      }));
+}
 
 TEST_CASE("a drift that sweeps in frequency is told as unknown, not as a random walk") {
   check_told_as_unknown(with_drift(quiet_session(11), [](double t_s) {
