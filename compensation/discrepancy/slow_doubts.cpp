@@ -12,7 +12,6 @@ namespace gyrocal {
 namespace {
 
 constexpr double noise_costs_nats = 1;
-constexpr double parameter_costs_nats = 1;
 constexpr double tau_s_max = 900;
 
 /// Courses beside the present model, and what they gain at the best of the noises they may have.

@@ -14,7 +14,6 @@
 namespace gyrocal {
 namespace {
 
-constexpr double parameter_costs_nats = 1;
 constexpr double telegraph_costs_nats = 6;
 constexpr double telegraph_flips_min = 6;
 constexpr double regular_nats = 9;

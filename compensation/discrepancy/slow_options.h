@@ -7,6 +7,9 @@
 
 namespace gyrocal {
 
+/// What each shape parameter of a law or a noise must gain before it counts.
+inline constexpr double parameter_costs_nats = 1;
+
 /// One thing that could be added to the model next, whatever its kind, on one scale.
 struct SlowOption {
   SlowFinding finding;
