@@ -196,17 +196,21 @@ double Smoother::chosen_lambda() {
       std::log(p_.gram.diagonal.sum() / p_.roughness.diagonal.sum());  // both parts weigh the same
   constexpr double reach = 18;                                         // e^18 either way
   constexpr int cells = 36;
-  const auto score = [&](double offset) { return generalized_cross_validation(natural + offset); };
-  double best = -reach;
-  double best_score = score(best);
   const double cell = 2 * reach / cells;
-  for (int i = 1; i <= cells; ++i) {
-    const double here = -reach + i * cell;
-    if (const double found = score(here); found < best_score) {
-      best = here;
+  const auto score = [&](double offset) { return generalized_cross_validation(natural + offset); };
+  int best_cell = 0;
+  double best_score = std::numeric_limits<double>::infinity();
+  const auto look_at = [&](int at) {
+    if (at < 0 || at > cells) return;
+    if (const double found = score(-reach + at * cell); found < best_score) {
+      best_cell = at;
       best_score = found;
     }
-  }
+  };
+  // The score turns within several e-folds: every third place shows where, its neighbours the rest.
+  for (int at = 0; at <= cells; at += 3) look_at(at);
+  for (const int near = best_cell; const int off : {-2, -1, 1, 2}) look_at(near + off);
+  const double best = -reach + best_cell * cell;
   constexpr double golden = 0.6180339887498949;
   double low = best - cell;
   double high = best + cell;
