@@ -1,6 +1,7 @@
 #include "compensation/discrepancy/smoother.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -130,14 +131,28 @@ Marginal marginal_gain(const Eigen::MatrixXd& rough, const Eigen::VectorXd& y, d
   return best;
 }
 
-void describe(const Driver& driver, const Basis& basis, const Marginal& marginal,
-              SmoothGain& gain) {
+/// What the bias's own cubic can take is no part of the curve: beside it, its size is free.
+void take_cubic_off(const Track& track, std::vector<double>& curve) {
+  const auto n = static_cast<Eigen::Index>(curve.size());
+  Eigen::MatrixXd cubic(n, 4);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double u = (track.record[static_cast<std::size_t>(i)].die_c - rig::CubicBias::center_c) /
+                     rig::CubicBias::half_span_c;
+    cubic.row(i) << 1, u, u * u, u * u * u;
+  }
+  Eigen::Map<Eigen::VectorXd> course(curve.data(), n);
+  course -= cubic * cubic.householderQr().solve(course).eval();
+}
+
+void describe(const Track& track, const Driver& driver, const Basis& basis,
+              const Marginal& marginal, SmoothGain& gain) {
   gain.curve.assign(driver.value.size(), 0.0);
   for (std::size_t i = 0; i < gain.curve.size(); ++i) {
     for (int k = 0; k < cosines; ++k) {
       gain.curve[i] += marginal.coefficients(k) * basis.courses[static_cast<std::size_t>(k)][i];
     }
   }
+  take_cubic_off(track, gain.curve);
   double mean = 0;
   for (const double c : gain.curve) mean += c / static_cast<double>(gain.curve.size());
   double square = 0;
@@ -187,7 +202,7 @@ std::vector<SmoothGain> smooth_gains(const SlowModel& model) {
         const Marginal marginal = marginal_gain(x, y, smooth);
         if (marginal.nats - loss <= gains[i].nats) continue;
         gains[i].nats = marginal.nats - loss;
-        describe(all[i], bases[i], marginal, gains[i]);
+        describe(model.track(), all[i], bases[i], marginal, gains[i]);
       }
     }
   }
