@@ -30,10 +30,11 @@ Alternative with_courses(const SlowModel& model, const std::vector<std::vector<d
   const SlowGrid& grid = model.stream().grid();
   SlowFit same = refit_noise(grid, model.y(), design, model.noise(), model.fit().shape);
   SlowFit free = refit_noise(grid, model.y(), design, all_noise, model.fit_free().shape);
-  const bool needs_noise = free.log_likelihood - noise_costs_nats > same.log_likelihood;
-  const double nats = (needs_noise ? free.log_likelihood - noise_costs_nats : same.log_likelihood) -
-                      model.fit().log_likelihood;
-  return {needs_noise ? std::move(free) : std::move(same), nats};
+  const double before_nats = model.fit().log_likelihood;
+  const double same_nats = same.log_likelihood - before_nats;
+  const double free_nats = free.log_likelihood - noise_costs_nats - before_nats;
+  if (free_nats > same_nats) return {std::move(free), free_nats};
+  return {std::move(same), same_nats};
 }
 
 bool nearly_as_good(const SlowModel& model, double nats, const SlowOption& chosen) {
@@ -70,35 +71,26 @@ bool lag_could_be_early_rate(const SlowModel& model, const SlowOption& lag) {
          nearly_as_good(model, late.nats - parameter_costs_nats, lag);
 }
 
-/// What a lag of the temperature told makes of any course.
-template <class Of>
-std::vector<double> lagged(const SlowModel& model, double tau_s, const Of& of) {
-  const auto& record = model.track().record;
-  std::vector<double> course;
-  rig::ThermalLag lag(tau_s, of(record.front()));
-  double last_s = record.front().t_s;
-  for (const rig::Drivers& now : record) {
-    course.push_back(lag.advance(now.t_s - last_s, of(now)));
-    last_s = now.t_s;
-  }
-  return course;
-}
-
 /// A rate that trails just as the temperature does: over a straight bias the same to the last bit.
 bool lag_could_be_trailing_rate(const SlowModel& model, const SlowOption& lag) {
-  const auto rate = [](const rig::Drivers& now) { return now.die_rate_c_per_min; };
-  const Alternative late = with_courses(model, {lagged(model, lag.finding.amplitude, rate)});
+  const auto& record = model.track().record;
+  rig::ThermalLag trailing(lag.finding.amplitude, record.front().die_rate_c_per_min);
+  double last_s = record.front().t_s;
+  std::vector<double> course;
+  for (const rig::Drivers& now : record) {
+    course.push_back(trailing.advance(now.t_s - last_s, now.die_rate_c_per_min));
+    last_s = now.t_s;
+  }
+  const Alternative late = with_courses(model, {course});
   return nearly_as_good(model, late.nats - parameter_costs_nats, lag);
 }
 
 bool relaxation_could_be_lag(const SlowModel& model, const SlowOption& relaxation) {
-  const auto& record = model.track().record;
+  const rig::Law& pole = *rig::find_law(*rig::find_effect("thermal_lag"), "pole");
   for (const double tau_s : {tau_s_max, 600.0, 400.0, 250.0, 150.0, 60.0}) {
-    auto course = lagged(model, tau_s, [](const rig::Drivers& now) { return now.die_c; });
-    for (std::size_t i = 0; i < course.size(); ++i) {
-      course[i] = model.bias().at(course[i]) - model.bias().at(record[i].die_c);
-    }
-    const Alternative trailing = with_courses(model, {course});
+    const std::vector<double> values{tau_s};
+    const Alternative trailing =
+        with_courses(model, {rig::drift_over(pole, values, model.bias(), model.track().record)});
     const double share = trailing.fit.coefficients.tail(1)(0);
     if (share > 0 && share <= 1 &&
         nearly_as_good(model, trailing.nats - parameter_costs_nats, relaxation)) {

@@ -33,10 +33,9 @@ inline constexpr double curve_over_name = 1.5;
 /// in which ramps begin and end, and those hang on lags and instants that are assumed. If the lag's
 /// first order, -tau b'(T) r, does as well as the rate itself, the lag joins its rivals; if a rate
 /// of a part that trails the die does as well as a lag, k r(t - d) with |d| no longer than the lag
-/// told or the die's own, the rate joins its rivals. A part of the bias that trails the rest, q
-/// (b(L[T])
-/// - b(T)) with 0 < q <= 1, makes the tail of a relaxation: if it does as well, the lag joins the
-/// relaxation's rivals.
+/// told or the die's own, or k L[r] with the lag told, the rate joins its rivals. A share of the
+/// bias, 0 to 1, that trails the rest makes the tail of a relaxation: if it does as well, the lag
+/// joins the relaxation's rivals.
 void doubt_lags(const SlowModel& model, SlowOption& option);
 
 }  // namespace gyrocal

@@ -189,6 +189,11 @@ double worth(const SlowCandidate& candidate) {
 
 }  // namespace
 
+std::array<SlowNoiseShape, 3> noise_settings(const SlowModel& model) {
+  const SlowNoiseShape free = model.fit_free().shape;
+  return {free, {free.flicker_ratio * 0.05, free.walk_ratio * 0.05}, model.fit().shape};
+}
+
 SlowCandidate refine(const SlowModel& model, const rig::Effect& effect, const rig::Law& law,
                      std::vector<double> values, const SlowNoiseShape& start) {
   const SlowGrid& grid = model.stream().grid();
@@ -221,9 +226,7 @@ SlowCandidate refine(const SlowModel& model, const rig::Effect& effect, const ri
 
 std::vector<SlowCandidate> search_effects(const SlowModel& model, const Executor& run_all) {
   const std::vector<ScanColumns> all = scan_columns(model);
-  const SlowNoiseShape free = model.fit_free().shape;
-  const SlowNoiseShape between{free.flicker_ratio * 0.05, free.walk_ratio * 0.05};
-  const std::array<SlowNoiseShape, 3> settings{free, between, model.fit().shape};
+  const auto settings = noise_settings(model);
   std::vector<Trial> trials;
   for (std::size_t s = 0; s < settings.size(); ++s) {
     if (s > 0 && settings[s] == settings[s - 1]) continue;

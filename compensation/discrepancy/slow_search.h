@@ -89,6 +89,9 @@ class SlowModel {
   SlowFit fit_, fit_free_;
 };
 
+/// Noise settings to try something at: all that noise can take, a twentieth of it, the present.
+[[nodiscard]] std::array<SlowNoiseShape, 3> noise_settings(const SlowModel& model);
+
 /// Trial values of a law over this record: coarse, one set a row, amplitude first. Shapes stay in
 /// the ranges of effects.md, places inside the temperatures and times that occur.
 [[nodiscard]] std::vector<std::vector<double>> trial_values(const rig::Effect& effect,

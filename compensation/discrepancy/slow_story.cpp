@@ -99,7 +99,8 @@ double lead_over(const SlowModel& model, const SlowOption& chosen, const SlowOpt
   return is_noise(other) && chosen.finding.term ? std::max(lead, chosen.beyond_noise) : lead;
 }
 
-/// Evidence, lead and rivals of the best option among all.
+/// Evidence, lead and rivals of the best option among all, and of what the search cannot see
+/// (slow_doubts.h).
 void judge(const SlowModel& model, SlowOption& chosen, const std::vector<SlowOption>& all) {
   chosen.finding.evidence_nats = chosen.score;
   chosen.finding.lead_nats = chosen.score;
@@ -115,6 +116,7 @@ void judge(const SlowModel& model, SlowOption& chosen, const std::vector<SlowOpt
       chosen.finding.rivals.push_back(other.finding.effect);
     }
   }
+  doubt_lags(model, chosen);
 }
 
 std::vector<std::string> already(const std::vector<SlowOption>& chapters,
@@ -200,7 +202,6 @@ class Story {
     const auto best = choose_next(options);
     if (best == options.end()) return false;
     judge(model_, *best, options);
-    doubt_lags(model_, *best);
     const SmoothGain curve = smooth_gains(model_).front();
     if (curve_beats_name(curve, *best) || curve_outlives_name(curve, *best)) return false;
     SlowOption next = curve_beats_chance(curve, *best) ? curve_option(curve) : *best;
@@ -270,7 +271,6 @@ class Story {
         continue;
       }
       judge(model_, *best, options);
-      doubt_lags(model_, *best);
       changed = changed || best->finding.effect != chapters_[i].finding.effect;
       chapters_[i] = *best;
       ++i;

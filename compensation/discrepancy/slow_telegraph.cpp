@@ -131,15 +131,17 @@ double gamma_gain(std::vector<double> lengths) {
   if (lengths.size() < 3) return 0;
   const auto n = static_cast<double>(lengths.size());
   const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / n;
+  const double log_mean = std::log(mean);
   std::sort(lengths.begin(), lengths.end());
   const auto gain = [&](double shape, double around, double others) {
     const double scale = around / shape;
     const double norm = log_gamma(shape) + shape * std::log(scale);
+    const double log_gammas = std::log(1 - others), log_others = std::log(others);
     double sum = 0;
     for (const double s : lengths) {
-      const double exponential = -s / mean - std::log(mean);
+      const double exponential = -s / mean - log_mean;
       const double gamma = (shape - 1) * std::log(s) - s / scale - norm;
-      sum += log_sum(std::log(1 - others) + gamma, std::log(others) + exponential) - exponential;
+      sum += log_sum(log_gammas + gamma, log_others + exponential) - exponential;
     }
     return sum;
   };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <span>
 
 #include "compensation/discrepancy/off_design.h"
 
@@ -135,10 +136,13 @@ Marginal marginal_gain(const Eigen::MatrixXd& rough, const Eigen::VectorXd& y, d
 void take_cubic_off(const Track& track, std::vector<double>& curve) {
   const auto n = static_cast<Eigen::Index>(curve.size());
   Eigen::MatrixXd cubic(n, 4);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double u = (track.record[static_cast<std::size_t>(i)].die_c - rig::CubicBias::center_c) /
-                     rig::CubicBias::half_span_c;
-    cubic.row(i) << 1, u, u * u, u * u * u;
+  for (std::size_t degree = 0; degree < 4; ++degree) {
+    rig::CubicBias power;
+    power.dps[degree] = 1;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      cubic(i, static_cast<Eigen::Index>(degree)) =
+          power.at(track.record[static_cast<std::size_t>(i)].die_c);
+    }
   }
   Eigen::Map<Eigen::VectorXd> course(curve.data(), n);
   course -= cubic * cubic.householderQr().solve(course).eval();
@@ -167,30 +171,17 @@ void describe(const Track& track, const Driver& driver, const Basis& basis,
   gain.rms_dps = std::sqrt(square);
 }
 
-/// What noise may stand beside a curve: as much as without it, or less where the curve does better.
-std::vector<SlowNoiseShape> noises_beside(const SlowModel& model) {
-  const SlowNoiseShape free = model.fit_free().shape;
-  std::vector<SlowNoiseShape> noises{free};
-  if (model.noise_gain_nats() > noise_worth_nats) {
-    noises.push_back({free.flicker_ratio * 0.05, free.walk_ratio * 0.05});
-    noises.push_back(model.fit().shape);
-  }
-  return noises;
-}
-
 }  // namespace
 
 std::vector<SmoothGain> smooth_gains(const SlowModel& model) {
-  std::vector<SmoothGain> gains;
-  std::vector<Basis> bases;
   const std::vector<Driver> all = drivers(model.track());
-  for (const Driver& driver : all) {
-    bases.push_back(basis_of(model, driver));
-    gains.emplace_back();
-    gains.back().driver = driver.name;
-    gains.back().unit = driver.unit;
-  }
-  for (const SlowNoiseShape& noise : noises_beside(model)) {
+  std::vector<Basis> bases;
+  for (const Driver& driver : all) bases.push_back(basis_of(model, driver));
+  std::vector<Marginal> best(all.size());
+  const auto settings = noise_settings(model);
+  // Beside a curve there may be as much noise as without it, or less where the curve does better.
+  const bool less = model.noise_gain_nats() > noise_worth_nats;
+  for (const SlowNoiseShape& noise : std::span(settings).first(less ? settings.size() : 1)) {
     const OffDesign design(model, noise);
     const Eigen::VectorXd y = design.off(model.y());
     const double without =
@@ -199,12 +190,20 @@ std::vector<SmoothGain> smooth_gains(const SlowModel& model) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Eigen::MatrixXd x = design.off(bases[i].bins);
       for (const double smooth : rough_or_smooth) {
-        const Marginal marginal = marginal_gain(x, y, smooth);
-        if (marginal.nats - loss <= gains[i].nats) continue;
-        gains[i].nats = marginal.nats - loss;
-        describe(model.track(), all[i], bases[i], marginal, gains[i]);
+        Marginal marginal = marginal_gain(x, y, smooth);
+        marginal.nats -= loss;
+        if (marginal.nats > best[i].nats) best[i] = std::move(marginal);
       }
     }
+  }
+  std::vector<SmoothGain> gains;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    SmoothGain gain;
+    gain.driver = all[i].name;
+    gain.unit = all[i].unit;
+    gain.nats = best[i].nats;
+    if (gain.nats > 0) describe(model.track(), all[i], bases[i], best[i], gain);
+    gains.push_back(std::move(gain));
   }
   std::stable_sort(gains.begin(), gains.end(),
                    [](const SmoothGain& a, const SmoothGain& b) { return a.nats > b.nats; });

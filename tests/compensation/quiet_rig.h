@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "compensation/rig/rig_model.h"
 #include "compensation/rig/session_plan.h"
 #include "compensation/rig/simulate_session.h"
@@ -28,12 +30,20 @@ inline rig::SessionPlan short_up_down() {
 }
 
 /// The session with a drift added that no effect of the catalogue makes.
-/// @param drift_dps  called with t_s.
+/// @param drift_dps  called with t_s, board_c and chamber_c.
+template <class Drift>
+Session with_warm_drift(Session session, const Drift& drift_dps) {
+  const auto add = [&](auto& at) { at.gyro_dps += drift_dps(at.t_s, at.board_c, at.chamber_c); };
+  for (MonitorRow& row : session.monitor) add(row);
+  for (SessionSample& sample : session.samples) add(sample);
+  return session;
+}
+
+/// The same over time alone.
 template <class Drift>
 Session with_drift(Session session, const Drift& drift_dps) {
-  for (MonitorRow& row : session.monitor) row.gyro_dps += drift_dps(row.t_s);
-  for (SessionSample& sample : session.samples) sample.gyro_dps += drift_dps(sample.t_s);
-  return session;
+  return with_warm_drift(std::move(session),
+                         [&](double t_s, double, double) { return drift_dps(t_s); });
 }
 
 }  // namespace gyrocal

@@ -18,17 +18,6 @@ void check_told_as_unknown(const Session& session) {
   for (const Finding& finding : found->findings) CHECK(finding.effect == "unknown");
 }
 
-/// The session with a drift added over time, the board's temperature and the chamber's.
-template <class Drift>
-Session with_warm_drift(Session session, const Drift& drift_dps) {
-  for (MonitorRow& row : session.monitor)
-    row.gyro_dps += drift_dps(row.t_s, row.board_c, row.chamber_c);
-  for (SessionSample& sample : session.samples) {
-    sample.gyro_dps += drift_dps(sample.t_s, sample.board_c, sample.chamber_c);
-  }
-  return session;
-}
-
 }  // namespace
 
 TEST_CASE("a leak that grows by the hour and by the degree is told as unknown, not as a walk") {
