@@ -232,8 +232,14 @@ std::optional<campaign::Event> CampaignLoop::presence_event() const {
   return std::nullopt;
 }
 
-std::optional<campaign::Event> CampaignLoop::dwell_event() const {
+std::optional<campaign::Event> CampaignLoop::dwell_event() {
   if (!collector_.full()) return std::nullopt;
+  // A process that was stopped finds the boards' frames waiting, but not the chamber's readings.
+  collector_.look_back([&](Duration from, Duration to) -> std::optional<std::string> {
+    if (track_.mean_so_far(from, to)) return std::nullopt;
+    return fmt::format("the chamber's temperature is not known: no reading for over {:.0f} s",
+                       to_seconds(track_.gap_max()));
+  });
   if (const auto shortfall = collector_.shortfall()) {
     return campaign::DwellShort{
         fmt::format("board {}: {}", plan_.boards[shortfall->board], shortfall->reason)};

@@ -82,7 +82,7 @@ class CampaignLoop {
   [[nodiscard]] Result<void> reach_safety();
   [[nodiscard]] Result<void> stop();
 
-  [[nodiscard]] std::optional<campaign::Event> dwell_event() const;
+  [[nodiscard]] std::optional<campaign::Event> dwell_event();
   [[nodiscard]] std::optional<campaign::Event> presence_event() const;
   void note_pace(const campaign::State& before);
   [[nodiscard]] Duration planned_left() const;

@@ -34,6 +34,7 @@ class ChamberTrack {
   /// What the chamber controlled to at t.
   [[nodiscard]] std::optional<Celsius> setpoint(Duration t) const;
   [[nodiscard]] std::optional<Duration> latest() const;
+  [[nodiscard]] Duration gap_max() const { return gap_max_; }
 
  private:
   struct Reading {

@@ -68,6 +68,14 @@ void DwellCollector::spoil(std::size_t board, const std::string& reason) {
   target->dwell.reject_reason = reason;
 }
 
+void DwellCollector::look_back(const Trouble& trouble) {
+  for (Part& p : parts_) {
+    if (p.dwell.reject_reason || p.dwell.samples.empty()) continue;
+    p.dwell.reject_reason =
+        trouble(Duration{p.dwell.samples.front().t_ns}, Duration{p.dwell.samples.back().t_ns});
+  }
+}
+
 bool DwellCollector::full() const {
   return running_ && std::all_of(parts_.begin(), parts_.end(), [&](const Part& p) {
            return p.spoilt || p.dwell.samples.size() == wanted_samples_;

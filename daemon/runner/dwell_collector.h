@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,6 +38,10 @@ class DwellCollector {
   void add(std::size_t board, std::span<const BoardSample> samples);
   /// This board will send no more: its dwell is rejected with the reason.
   void spoil(std::size_t board, const std::string& reason);
+  /// What was wrong from the first to the last sample of a part; nothing if all was well.
+  using Trouble = std::function<std::optional<std::string>(Duration from, Duration to)>;
+  /// Asks about each board's interval; a board whose interval had trouble has its dwell rejected.
+  void look_back(const Trouble& trouble);
 
   /// Every board has all its samples or is spoilt.
   [[nodiscard]] bool full() const;

@@ -94,4 +94,22 @@ SCENARIO("a board that has its samples is not spoilt by going away afterwards") 
   CHECK(group[1].reject_reason == "unplugged");
 }
 
+SCENARIO("a dwell is rejected for what happened between its own first and last sample") {
+  DwellCollector collector(10, 0.01);
+  collector.begin(Duration{100}, both);
+  collector.add(0, frames(1, 10, 100));
+  collector.add(1, frames(1, 10, 200));
+  REQUIRE(collector.full());
+  collector.look_back([](Duration from, Duration to) -> std::optional<std::string> {
+    if (Duration{150} < from || to < Duration{105}) return std::nullopt;
+    return "the lights went out";
+  });
+  REQUIRE(collector.shortfall());
+  CHECK(collector.shortfall()->board == 0);
+  const auto group = collector.finish(std::nullopt);
+  CHECK(group[0].reject_reason == "the lights went out");
+  CHECK(group[0].samples.size() == 10);
+  CHECK_FALSE(group[1].reject_reason);
+}
+
 }  // namespace gyrocal::runner

@@ -110,6 +110,24 @@ SCENARIO("lone zeros and jumps among the readings disturb nothing") {
   CHECK(bench.events["doubtful_reading"] < 40);
 }
 
+SCENARIO(
+    "the process is stopped for over a minute in a dwell: what the air did then is not known") {
+  VirtualBench bench(short_campaign);
+  bench.when("logging", 1, [&](Duration t) {
+    bench.at(to_seconds(t) + 5,
+             [&] { bench.clock.sleep_until(bench.clock.now() + std::chrono::seconds{62}); });
+  });
+  const Outcome outcome = bench.run();
+  CHECK(finished(outcome));
+  CHECK(bench.accepted(outcome.campaign) == 10);
+  CHECK(bench.said("ramping at 18.0 degC (point 2 of 5, attempt 2)"));
+  const auto boards = *bench.store.boards(outcome.campaign);
+  for (const auto& [id, board] : boards) {
+    const auto dwells = *bench.store.accepted_dwells(outcome.campaign, id);
+    for (const auto& dwell : dwells) CHECK(std::isfinite(dwell.chamber_mean_c));
+  }
+}
+
 SCENARIO("a door opened during a dwell costs that dwell") {
   VirtualBench bench(short_campaign);
   bench.when("logging", 3, [&](Duration t) {
