@@ -6,12 +6,14 @@
 #include <cmath>
 
 #include "compensation/discrepancy/acceleration.h"
+#include "compensation/discrepancy/between_channels.h"
 #include "compensation/discrepancy/fast_findings.h"
 #include "compensation/discrepancy/gap.h"
 #include "compensation/discrepancy/gap_shadow.h"
 #include "compensation/discrepancy/median.h"
 #include "compensation/discrepancy/model_update.h"
 #include "compensation/discrepancy/null_gate.h"
+#include "compensation/discrepancy/sample_rows.h"
 #include "compensation/discrepancy/session_check.h"
 #include "compensation/discrepancy/slow_limits.h"
 #include "compensation/discrepancy/slow_story.h"
@@ -171,81 +173,6 @@ Simulation simulation_of(const Case& c, const SlowModel& model, const rig::RigMo
   return simulation;
 }
 
-bool is_effect(const Finding& finding, const char* name) { return finding.effect == name; }
-
-std::vector<Finding>::iterator among(std::vector<Finding>& findings, const char* name) {
-  return std::find_if(findings.begin(), findings.end(),
-                      [name](const Finding& f) { return is_effect(f, name); });
-}
-
-/// Sines of one grid are one hum: the strongest leads, another is told as a share of it.
-void merge_harmonics(std::vector<Finding>& findings) {
-  const auto first = among(findings, "mains_hum");
-  if (first == findings.end()) return;
-  for (auto other = first + 1; other != findings.end();) {
-    if (!is_effect(*other, "mains_hum")) {
-      ++other;
-      continue;
-    }
-    for (auto& [name, value] : first->parameters) {
-      if (name == "second") value = other->amplitude / first->amplitude;
-    }
-    first->evidence_nats += other->evidence_nats;
-    other = findings.erase(other);
-  }
-}
-
-/// Two levels that both channels see are one telegraph. Rows see whole stays where a dwell sees
-/// parts of some: theirs are the numbers.
-void merge_telegraphs(std::vector<Finding>& slow, std::vector<Finding>& fast) {
-  constexpr double same_level = 1.4;
-  const auto in_rows = among(slow, "random_telegraph_noise");
-  const auto in_dwells = among(fast, "random_telegraph_noise");
-  if (in_rows == slow.end() || in_dwells == fast.end()) return;
-  const double ratio = in_rows->amplitude / in_dwells->amplitude;
-  if (ratio > same_level || ratio < 1 / same_level) return;
-  in_rows->evidence_nats += in_dwells->evidence_nats;
-  in_rows->lead_nats = std::max(in_rows->lead_nats, in_dwells->lead_nats);
-  fast.erase(in_dwells);
-}
-
-/// One cause seen in two channels is one finding.
-void settle_between_channels(std::vector<Finding>& slow, std::vector<Finding>& fast, double lsb_dps,
-                             bool codes_bend) {
-  // A board warmed by its own electronics reads warmer than the air: no fault of its sensor.
-  const auto may_be = [&slow](const char* name) {
-    return std::any_of(slow.begin(), slow.end(), [name](const Finding& f) {
-      return f.effect == name ||
-             std::count(f.confounded_with.begin(), f.confounded_with.end(), name) > 0;
-    });
-  };
-  if (may_be("self_heating")) {
-    std::erase_if(fast, [](const Finding& f) { return is_effect(f, "board_sensor_offset"); });
-  }
-  // Holes that no dwell came near still bend the means on the way: by less than half a count. The
-  // bend of rounding itself is undone to a few hundredths.
-  const double bend_lsb = among(fast, "missing_codes") != fast.end() ? 0.5 : 0.05;
-  if (codes_bend) {
-    std::erase_if(slow, [&](const Finding& f) {
-      return is_effect(f, "mode_crossing") && std::abs(f.amplitude) < bend_lsb * lsb_dps;
-    });
-  }
-  merge_harmonics(slow);
-  merge_telegraphs(slow, fast);
-  const auto step = among(slow, "compressor_vibration");
-  const auto line = among(fast, "compressor_vibration");
-  if (step != slow.end() && line != fast.end()) {
-    line->law = "line_and_step";
-    line->parameters = {{"a", line->amplitude},
-                        {"f", line->parameters[1].second},
-                        {"v", step->amplitude},
-                        {"acc", 0.0}};
-    line->evidence_nats += step->evidence_nats;
-    line->lead_nats += step->lead_nats;
-    slow.erase(step);
-  }
-}
-
 /// The session without the gyro's means where a gap in the record leaves the die's temperature
 /// open.
 Session out_of_gap_shadows(const Session& measured, const Track& track,
@@ -293,16 +220,27 @@ void store(const GapMeasure& measure, Gap& gap, double GapChannel::*when) {
 
 }  // namespace
 
-Result<Diagnosis> diagnose(const Session& measured, const rig::RigModel& model,
+Result<Diagnosis> diagnose(const Session& recorded, const rig::RigModel& model,
                            const DiagnoseOptions& options) {
-  if (auto checked = check_session(measured); !checked) return tl::unexpected(checked.error());
+  if (auto checked = check_session(recorded); !checked) return tl::unexpected(checked.error());
   const auto given = rig::instantiate(model);
   if (!given) return tl::unexpected(given.error());
 
   Diagnosis diagnosis;
+  const bool no_stream = rows_with_gyro(recorded) < monitor_rows_min;
+  const Session made = no_stream ? with_rows_of_samples(recorded) : Session{};
+  const Session& measured = no_stream ? made : recorded;
+  if (auto enough = check_rows(measured); !enough) return tl::unexpected(enough.error());
+  if (no_stream) {
+    diagnosis.notes.push_back(fmt::format(
+        "monitor.csv has {} rows with a gyro mean: means of the samples over {:.3g} s stand in for "
+        "it; what happened between the dwells is not seen",
+        rows_with_gyro(recorded), made.monitor_interval_s));
+  }
   std::vector<Segment> segments = split_segments(measured);
   Track track = make_track(measured, segments, model.baseline);
-  const Session session = out_of_gap_shadows(measured, track, diagnosis.notes);
+  const Session session =
+      no_stream ? measured : out_of_gap_shadows(measured, track, diagnosis.notes);
   Case c{session,          model, axis_index(session.axis), std::move(segments),
          std::move(track), {},    MeanLaw({}, 0, 0),        MeanLaw({}, 0, 0)};
   c.fast = gather_fast_evidence(session, c.segments, c.track);
@@ -354,11 +292,21 @@ Result<Diagnosis> diagnose(const Session& measured, const rig::RigModel& model,
   const SlowModel before = slow;
   rig::RigModel fast_before = fast_part(model);
 
-  const std::vector<SlowFinding> story = tell_slow_story(
-      slow, session.sample_rate_hz, session.monitor_interval_s,
-      excluded_effects(c.fast, c.track, fast), diagnosis.gate_nats, known_nats, options.run_all);
+  const auto tell = [&] {
+    return tell_slow_story(slow, session.sample_rate_hz, session.monitor_interval_s,
+                           excluded_effects(c.fast, c.track, fast), diagnosis.gate_nats, known_nats,
+                           options.run_all);
+  };
+  std::vector<SlowFinding> story = tell();
+  if (among(fast, "random_telegraph_noise") != fast.end() &&
+      is_flicker_throughout(slow, c.fast.telegraph.flicker_lead_nats)) {
+    fast.erase(among(fast, "random_telegraph_noise"));
+    slow = before;
+    story = tell();
+  }
   diagnosis.findings = to_findings(story);
-  settle_between_channels(diagnosis.findings, fast, session.lsb_dps, c.law_after.bends());
+  settle_between_channels(diagnosis.findings, fast, c.fast.codes, session.lsb_dps,
+                          c.law_after.bends());
   std::vector<Finding> settled = diagnosis.findings;
   settled.insert(settled.end(), fast.begin(), fast.end());
   diagnosis.model = updated_model(model, slow, story, settled, c.fast.codes, c.axis);

@@ -94,7 +94,10 @@ Rail find_rail(std::span<const DwellData> dwells, const RangeEnd& end, double ls
     const double rounded_sd = end.sign > 0 ? shape.below : shape.above;
     if (rounded_sd < coarse_sd_lsb * lsb) return {};
     least_sd = least_sd > 0 ? std::min(least_sd, rounded_sd) : rounded_sd;
-    const double sd = std::sqrt(rounded_sd * rounded_sd - lsb * lsb / 12);
+    // A few hundred samples tell a spread to some per cent, and a tail hangs on it: the smaller of
+    // two views claims less.
+    const double sd =
+        std::min(std::sqrt(rounded_sd * rounded_sd - lsb * lsb / 12), white_sd_dps(dwells[d], lsb));
     const auto n = static_cast<double>(dwells[d].y_dps.size());
     const double edge = (static_cast<double>(end.code) + 0.5) * lsb - end.sign * shape.median;
     beyond += n * upper_tail((edge + (holes ? 2 * lsb : 0)) / sd);

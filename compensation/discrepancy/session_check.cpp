@@ -7,11 +7,12 @@
 #include <map>
 #include <vector>
 
+#include "compensation/discrepancy/sample_rows.h"
+
 namespace gyrocal {
 namespace {
 
 constexpr double rate_tolerance = 0.05;
-constexpr std::size_t monitor_rows_min = 32;
 constexpr double gap_s_max = 1800;  // the record may have a gap at its end, as anywhere
 
 Result<void> check_head(const Session& session) {
@@ -66,13 +67,7 @@ Result<void> check_monitor(const Session& session) {
     low = std::min(low, row.gyro_dps);
     high = std::max(high, row.gyro_dps);
   }
-  if (with_gyro < monitor_rows_min) {
-    return fail(Errc::too_few_points,
-                fmt::format("monitor.csv: {} rows with a gyro mean, expected at least {}",
-                            with_gyro, monitor_rows_min),
-                "the slow stream is what tells effects apart; record it through ramps too");
-  }
-  if (low == high) {
+  if (with_gyro >= monitor_rows_min && low == high) {
     return fail(Errc::bad_input,
                 fmt::format("monitor.csv: gyro_z_dps is {} in every row: a constant column", low),
                 "was the board streaming?");
@@ -81,6 +76,7 @@ Result<void> check_monitor(const Session& session) {
 }
 
 Result<void> check_dwells_inside(const Session& session) {
+  if (session.monitor.empty()) return {};
   const double first = session.monitor.front().t_s - gap_s_max;
   const double last = session.monitor.back().t_s + gap_s_max;
   for (const SessionDwell& dwell : session.dwells) {
@@ -186,6 +182,16 @@ Result<void> check_session(const Session& session) {
     if (auto checked = check(session); !checked) return checked;
   }
   return {};
+}
+
+Result<void> check_rows(const Session& session) {
+  const std::size_t rows = rows_with_gyro(session);
+  if (rows >= monitor_rows_min) return {};
+  return fail(Errc::too_few_points,
+              fmt::format("monitor.csv: {} rows with a gyro mean, expected at least {}, and the "
+                          "samples hold no more",
+                          rows, monitor_rows_min),
+              "the slow stream is what tells effects apart; record it through ramps too");
 }
 
 }  // namespace gyrocal

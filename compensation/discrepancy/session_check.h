@@ -11,4 +11,7 @@ namespace gyrocal {
 /// repaired.
 [[nodiscard]] Result<void> check_session(const Session& session);
 
+/// Refuses a session whose slow stream is too short to tell anything from.
+[[nodiscard]] Result<void> check_rows(const Session& session);
+
 }  // namespace gyrocal

@@ -6,12 +6,14 @@
 #include <numbers>
 
 #include "compensation/discrepancy/median.h"
+#include "compensation/discrepancy/sample_rows.h"
 #include "compensation/values/assert.h"
 
 namespace gyrocal {
 namespace {
 
 constexpr double bin_s_usual = 20;
+constexpr double bins_min = 48;
 constexpr double bins_max = 2500;
 
 struct Place {
@@ -149,7 +151,10 @@ double row_white_sd_dps(const Session& session, std::span<const std::size_t> row
 
 double bin_width_s(const Session& session) {
   const double span_s = session.monitor.back().t_s - session.monitor.front().t_s;
-  return std::max({bin_s_usual, session.monitor_interval_s, span_s / bins_max});
+  const double usual_s = std::max(bin_s_usual, span_s / bins_max);
+  const auto rows = static_cast<double>(rows_with_gyro(session));
+  return std::max(session.monitor_interval_s,
+                  std::min(usual_s, rows * session.monitor_interval_s / bins_min));
 }
 
 double course_at(const Track& track, std::span<const double> course, double t_s) {

@@ -72,7 +72,7 @@ struct RowChoice {
 [[nodiscard]] double row_white_sd_dps(const Session& session, std::span<const std::size_t> rows);
 
 /// Bin width [s] for a session: twenty seconds or the monitor's interval, more for long records,
-/// so that a fit sees at most some 2500 bins.
+/// so that a fit sees at most some 2500 bins; less for a short one, so that it sees some 48.
 [[nodiscard]] double bin_width_s(const Session& session);
 
 /// A course at single instants, on straight lines between the track's.

@@ -87,14 +87,14 @@ Expectation expect(const SlowGrid& grid, const Eigen::VectorXd& residual, const 
   return result;
 }
 
-struct Rows {
+struct TelegraphRows {
   const SlowGrid& grid;
   Eigen::VectorXd y;
   Eigen::MatrixXd design;
 };
 
 struct Weighted {
-  Weighted(const Rows& rows, const Eigen::ArrayXd& weight)
+  Weighted(const TelegraphRows& rows, const Eigen::ArrayXd& weight)
       : root(weight.sqrt()), design(root.asDiagonal() * rows.design) {}
   Eigen::VectorXd root;  // sqrt of the rows' weights
   Eigen::HouseholderQR<Eigen::MatrixXd> design;
@@ -157,7 +157,7 @@ double gamma_gain(std::vector<double> lengths) {
   return best;
 }
 
-void maximise(const Rows& rows, const Weighted& weighted, const Expectation& expected,
+void maximise(const TelegraphRows& rows, const Weighted& weighted, const Expectation& expected,
               Levels& levels) {
   const Eigen::VectorXd state = expected.high.array() - 0.5;
   const Eigen::VectorXd without = rows.y - levels.level * state;
@@ -174,7 +174,7 @@ void maximise(const Rows& rows, const Weighted& weighted, const Expectation& exp
 }
 
 /// Expectation and maximisation in turn, from the levels given, until nothing is gained any more.
-Expectation climb(const Rows& rows, const Weighted& weighted, Levels& levels) {
+Expectation climb(const TelegraphRows& rows, const Weighted& weighted, Levels& levels) {
   Expectation expected;
   double before = -1e300;
   for (int i = 0; i < 60; ++i) {
@@ -198,7 +198,7 @@ SlowTelegraph fit_slow_telegraph(const SlowModel& model) {
   const SlowStream& stream = model.stream();
   const SlowGrid& grid = stream.row_grid();
   // What is left of the rows, and the design to correct it by: bins tell its columns well enough.
-  const Rows rows{grid, rest_of_rows(model), stream.spread_to_rows(model.design())};
+  const TelegraphRows rows{grid, rest_of_rows(model), stream.spread_to_rows(model.design())};
   const Eigen::ArrayXd weight =
       Eigen::Map<const Eigen::ArrayXd>(grid.weight_s.data(), rows.y.size());
   const Weighted weighted(rows, weight);

@@ -17,6 +17,7 @@ using Column = std::vector<double>;
 constexpr double grid_step_s = 10;
 constexpr std::size_t grid_points_max = 40'000;
 constexpr double tau_min_s = 5, tau_max_s = 3000;
+constexpr double gain_span_c_min = 3;  // over less a sensor's gain is only its rounding
 
 /// Values of one monitor column at the grid's instants: straight lines across what is missing,
 /// constant beyond the ends. Empty if fewer than two rows have a value.
@@ -128,9 +129,10 @@ SensorMisfit misfit(const Seen& seen, const Column& board_c) {
   SensorMisfit result;
   result.mean_square_plain = difference.squaredNorm() / static_cast<double>(n);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(design);
-  if (qr.rank() < 2) {
+  if (design.col(1).maxCoeff() - design.col(1).minCoeff() < gain_span_c_min || qr.rank() < 2) {
     result.offset_c = difference.mean();
     result.mean_square = (difference.array() - result.offset_c).square().mean();
+    result.offset_sd_c = std::sqrt(result.mean_square / static_cast<double>(n));
     return result;
   }
   const Eigen::Vector2d fit = qr.solve(difference);

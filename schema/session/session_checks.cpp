@@ -23,6 +23,7 @@ Record record_of(const Session& session) {
 }
 
 std::optional<Error> dwell_outside_record(const Session& session, const std::string& folder) {
+  if (session.monitor.empty()) return std::nullopt;
   const Record record = record_of(session);
   const auto outside = [&](int dwell, double t_s, const char* file, const char* what) {
     return Error{Errc::bad_input,

@@ -40,6 +40,21 @@ TEST_CASE("dwells that reach the rail show the rail and no outliers") {
   CHECK(found.outliers == 0);
 }
 
+TEST_CASE("a rail that a few dwells only touch with their tails is told") {
+  std::mt19937_64 random(19);
+  std::normal_distribution<double> noise(0, 0.096);
+  std::vector<DwellData> dwells;
+  for (const double rate_dps : {1.86, 1.85, 1.81, 1.52, 1.85, 1.76, 1.88, 1.63, 1.72, 1.88}) {
+    const int number = static_cast<int>(dwells.size());
+    dwells.push_back(made_dwell(number, 2000, [&] {
+      return std::min(std::round((rate_dps + noise(random)) / 0.12) * 0.12, 17 * 0.12);
+    }));
+  }
+  const CodeFindings found = inspect_codes(dwells, 0.12);
+  CHECK(found.upper_nats > gate_nats);
+  CHECK(found.upper_dps == Approx(2.04));
+}
+
 TEST_CASE("where every dwell is cut off, what is left tells the noise") {
   const CodeFindings found = inspect_codes(climbing_to(5.3, 4.9), lsb_dps);
   CHECK(found.upper_nats > gate_nats);

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include "compensation/values/records.h"
+
+namespace gyrocal {
+
+/// The slow stream tells nothing below so many rows with a gyro mean.
+inline constexpr std::size_t monitor_rows_min = 32;
+
+[[nodiscard]] std::size_t rows_with_gyro(const Session& session);
+
+/// The session with a monitor made of its dwells' samples: means over a second, or over four
+/// samples if that is longer. For a record that holds samples and next to no slow stream: what
+/// happened between its dwells is lost. Across a pause the temperature is taken to have reached the
+/// next dwell's half way.
+[[nodiscard]] Session with_rows_of_samples(const Session& session);
+
+}  // namespace gyrocal
