@@ -20,7 +20,7 @@ constexpr double timing_s_min = 5;
 // What a law leaves over because nature does not follow it to the letter is no second effect.
 constexpr double imperfect_law_share = 0.1;
 // When a compressor runs is only guessed from the air.
-constexpr double guessed_law_share = 0.12;
+constexpr double guessed_law_share = 0.18;
 constexpr double unexplained_share = 0.12;
 
 /// What the model had before the story began.
@@ -70,6 +70,11 @@ void apply(SlowModel& model, const std::vector<SlowOption>& chapters, const Give
   model.set_shapes(std::move(shapes));
   model.set_known_bins(known);
   model.refit();
+}
+
+/// The share of what a law explains that it may leave over.
+double left_of(const SlowOption& chapter, double usual_share) {
+  return chapter.finding.effect == "compressor_vibration" ? guessed_law_share : usual_share;
 }
 
 constexpr std::size_t nobody = static_cast<std::size_t>(-1);
@@ -311,8 +316,7 @@ class Story {
     for (std::size_t i = 0; i < chapters_.size(); ++i) {
       const SlowOption& chapter = chapters_[i];
       if (i == leave_out || is_noise(chapter)) continue;
-      const bool guessed = chapter.finding.effect == "compressor_vibration";
-      most = std::max(most, (guessed ? guessed_law_share : imperfect_law_share) * chapter.score);
+      most = std::max(most, left_of(chapter, imperfect_law_share) * chapter.score);
     }
     return most;
   }
@@ -381,13 +385,13 @@ class Story {
   }
 
   void add_unexplained_rest() {
-    double named = 0;
-    for (const SlowOption& chapter : chapters_) named += chapter.score;
+    double expected = 0;
+    for (const SlowOption& chapter : chapters_) {
+      expected += left_of(chapter, unexplained_share) * chapter.score;
+    }
     for (int i = 0; i < 2; ++i) {
       const auto gains = smooth_gains(model_);
-      if (gains.front().nats <
-          std::max({unknown_gate_nats, unexplained_share * named, known_leftover_}))
-        return;
+      if (gains.front().nats < std::max({unknown_gate_nats, expected, known_leftover_})) return;
       withdraw_names_beaten_by(gains.front());
       add(curve_option(gains.front()));
     }

@@ -39,7 +39,9 @@ CampaignLoop::CampaignLoop(const CampaignConfig& config, const campaign::Plan& p
       journal_(store, begin_.campaign, devices.clock, hooks.log, hooks.storing,
                options.monitor_rows_per_write),
       chamber_(devices.chamber, plan, found.chamber, begin_.t),
-      track_(std::max(unknown_after(plan, options.tick), air_is_straight_over)),
+      track_(std::max(unknown_after(plan, options.tick), air_is_straight_over),
+             std::max({unknown_after(plan, options.tick), air_is_straight_over,
+                       seconds(plan.limits.chamber_stale_s)})),
       conditions_(plan, unknown_after(plan, options.tick)),
       supervisor_(plan.allowed),
       collector_(plan.samples_per_dwell, plan.limits.frames_lost_share_max),
@@ -236,9 +238,9 @@ std::optional<campaign::Event> CampaignLoop::dwell_event() {
   if (!collector_.full()) return std::nullopt;
   // A process that was stopped finds the boards' frames waiting, but not the chamber's readings.
   collector_.look_back([&](Duration from, Duration to) -> std::optional<std::string> {
-    if (track_.mean_so_far(from, to)) return std::nullopt;
+    if (track_.dwell_mean(from, to)) return std::nullopt;
     return fmt::format("the chamber's temperature is not known: no reading for over {:.0f} s",
-                       to_seconds(track_.gap_max()));
+                       to_seconds(track_.dwell_gap_max()));
   });
   if (const auto shortfall = collector_.shortfall()) {
     return campaign::DwellShort{
@@ -329,7 +331,7 @@ DwellRow CampaignLoop::row_of(const CollectedDwell& dwell) const {
   row.timed_soak = soak.timed;
   const Duration from{row.t_start_ns};
   const Duration to{row.t_end_ns};
-  row.chamber_mean_c = track_.mean_so_far(from, to).value_or(Celsius{missing}).value;
+  row.chamber_mean_c = track_.dwell_mean(from, to).value_or(Celsius{missing}).value;
   row.chamber_peak_to_peak_k = track_.peak_to_peak(from, to).value_or(Kelvin{missing}).value;
   row.board_mean_c =
       std::isnan(dwell.board_mean_c) ? boards_[dwell.board].break_c : dwell.board_mean_c;

@@ -13,13 +13,17 @@ void ChamberTrack::forget_before(Duration t) {
 }
 
 std::optional<Celsius> ChamberTrack::mean(Duration from, Duration to) const {
+  return mean(from, to, gap_max_);
+}
+
+std::optional<Celsius> ChamberTrack::mean(Duration from, Duration to, Duration gap_max) const {
   double area = 0;
   Duration covered = from;
   for (std::size_t i = 1; i < readings_.size() && covered < to; ++i) {
     const Reading& a = readings_[i - 1];
     const Reading& b = readings_[i];
     if (b.t <= covered) continue;
-    if (a.t > covered || b.t - a.t > gap_max_) return std::nullopt;
+    if (a.t > covered || b.t - a.t > gap_max) return std::nullopt;
     const Duration end = std::min(b.t, to);
     const auto at = [&](Duration t) {
       return a.actual.value +
@@ -32,10 +36,10 @@ std::optional<Celsius> ChamberTrack::mean(Duration from, Duration to) const {
   return Celsius{area / to_seconds(to - from)};
 }
 
-std::optional<Celsius> ChamberTrack::mean_so_far(Duration from, Duration to) const {
-  if (readings_.empty() || to - readings_.back().t > gap_max_) return std::nullopt;
+std::optional<Celsius> ChamberTrack::dwell_mean(Duration from, Duration to) const {
+  if (readings_.empty() || to - readings_.back().t > dwell_gap_max_) return std::nullopt;
   if (readings_.back().t <= from) return readings_.back().actual;
-  return mean(from, std::min(to, readings_.back().t));
+  return mean(from, std::min(to, readings_.back().t), dwell_gap_max_);
 }
 
 std::optional<Kelvin> ChamberTrack::peak_to_peak(Duration from, Duration to) const {

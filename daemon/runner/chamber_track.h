@@ -16,8 +16,10 @@ inline constexpr Duration air_is_straight_over = std::chrono::seconds{60};
 /// polls fall into intervals.
 class ChamberTrack {
  public:
-  /// Over gaps between readings longer than this nothing is claimed.
-  explicit ChamberTrack(Duration gap_max) : gap_max_(gap_max) {}
+  /// Over gaps between readings longer than these nothing is claimed.
+  /// @param dwell_gap_max  of a dwell's mean: the air of a dwell was seen to stand still before.
+  ChamberTrack(Duration gap_max, Duration dwell_gap_max)
+      : gap_max_(gap_max), dwell_gap_max_(dwell_gap_max) {}
 
   /// In order of time.
   void observe(Duration t, Celsius actual, Celsius setpoint);
@@ -26,15 +28,15 @@ class ChamberTrack {
 
   /// Mean of the air over [from, to]; nothing unless readings reach across it without a gap.
   [[nodiscard]] std::optional<Celsius> mean(Duration from, Duration to) const;
-  /// Same for an interval that has just ended: where readings do not reach its end yet, over the
-  /// part they cover. Nothing if the latest is older than a gap may be.
-  [[nodiscard]] std::optional<Celsius> mean_so_far(Duration from, Duration to) const;
+  /// Same for a dwell that has just ended: where readings do not reach its end yet, over the part
+  /// they cover. Nothing if the latest is older than a gap may be.
+  [[nodiscard]] std::optional<Celsius> dwell_mean(Duration from, Duration to) const;
   /// Highest minus lowest reading within [from, to]; nothing without readings.
   [[nodiscard]] std::optional<Kelvin> peak_to_peak(Duration from, Duration to) const;
   /// What the chamber controlled to at t.
   [[nodiscard]] std::optional<Celsius> setpoint(Duration t) const;
   [[nodiscard]] std::optional<Duration> latest() const;
-  [[nodiscard]] Duration gap_max() const { return gap_max_; }
+  [[nodiscard]] Duration dwell_gap_max() const { return dwell_gap_max_; }
 
  private:
   struct Reading {
@@ -42,7 +44,9 @@ class ChamberTrack {
     Celsius actual;
     Celsius setpoint;
   };
-  Duration gap_max_;
+  [[nodiscard]] std::optional<Celsius> mean(Duration from, Duration to, Duration gap_max) const;
+
+  Duration gap_max_, dwell_gap_max_;
   std::deque<Reading> readings_;
 };
 

@@ -5,7 +5,7 @@
 namespace gyrocal::runner {
 
 SCENARIO("the mean of a ramp over an interval does not depend on when it was read") {
-  ChamberTrack track(seconds(15));
+  ChamberTrack track(seconds(15), seconds(15));
   for (const double t : {0.0, 7.0, 13.0, 20.0}) {
     track.observe(seconds(t), Celsius{20 + 0.1 * t}, Celsius{25});
   }
@@ -15,7 +15,7 @@ SCENARIO("the mean of a ramp over an interval does not depend on when it was rea
 }
 
 SCENARIO("nothing is claimed beyond the readings or across a gap") {
-  ChamberTrack track(seconds(15));
+  ChamberTrack track(seconds(15), seconds(15));
   track.observe(seconds(10), Celsius{20}, Celsius{20});
   CHECK_FALSE(track.mean(seconds(5), seconds(10)));
   track.observe(seconds(20), Celsius{20}, Celsius{20});
@@ -27,8 +27,21 @@ SCENARIO("nothing is claimed beyond the readings or across a gap") {
   CHECK_FALSE(track.setpoint(seconds(9)));
 }
 
+SCENARIO("a dwell, whose air stood still before, may have a longer gap") {
+  ChamberTrack track(seconds(15), seconds(60));
+  for (const double t : {0.0, 10.0, 65.0, 70.0}) {
+    track.observe(seconds(t), Celsius{20 + t / 100}, Celsius{20});
+  }
+  CHECK_FALSE(track.mean(seconds(5), seconds(68)));
+  CHECK(track.dwell_mean(seconds(5), seconds(65))->value == Approx(20.35));
+  CHECK(track.dwell_mean(seconds(60), seconds(80)));
+  CHECK_FALSE(track.dwell_mean(seconds(60), seconds(131)));
+  track.observe(seconds(131), Celsius{21}, Celsius{20});
+  CHECK_FALSE(track.dwell_mean(seconds(60), seconds(131)));
+}
+
 SCENARIO("peak to peak is that of the readings inside") {
-  ChamberTrack track(seconds(15));
+  ChamberTrack track(seconds(15), seconds(15));
   track.observe(seconds(0), Celsius{25}, Celsius{20});
   track.observe(seconds(5), Celsius{20.1}, Celsius{20});
   track.observe(seconds(10), Celsius{19.9}, Celsius{20});
@@ -37,7 +50,7 @@ SCENARIO("peak to peak is that of the readings inside") {
 }
 
 SCENARIO("what is forgotten leaves the straight line into what is kept") {
-  ChamberTrack track(seconds(15));
+  ChamberTrack track(seconds(15), seconds(15));
   for (int t = 0; t <= 100; t += 5) track.observe(seconds(t), Celsius{20}, Celsius{20});
   track.forget_before(seconds(52));
   CHECK(track.mean(seconds(52), seconds(100)));
