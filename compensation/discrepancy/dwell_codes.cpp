@@ -120,33 +120,68 @@ void find_outliers(std::span<const DwellData> dwells, double lsb, CodeFindings& 
   findings.outliers_one_sided = n >= 6 && (up == 0 || up == n);
 }
 
+/// A value and how often it came again at once.
+struct Run {
+  double value;
+  double repeats;
+};
+
+std::vector<Run> runs_of(const DwellData& dwell) {
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < dwell.y_dps.size(); ++i) {
+    const bool again =
+        i > 0 && dwell.y_dps[i] == dwell.y_dps[i - 1] && dwell.seq[i] == dwell.seq[i - 1] + 1;
+    if (again) {
+      runs.back().repeats += 1;
+    } else {
+      runs.push_back({dwell.y_dps[i], 0});
+    }
+  }
+  return runs;
+}
+
+/// How likely each value of a dwell is to come again: by its share of the dwell, or, where the
+/// noise stays on one side for a while, by how often it does within runs too short to be stuck.
+std::map<double, double> chance_to_repeat(const DwellData& dwell, const std::vector<Run>& runs) {
+  constexpr double short_run = 5;
+  struct Seen {
+    double samples = 0, in_short_runs = 0, short_repeats = 0;
+  };
+  std::map<double, Seen> seen;
+  for (const Run& run : runs) {
+    Seen& of_value = seen[run.value];
+    of_value.samples += run.repeats + 1;
+    if (run.repeats > short_run) continue;
+    of_value.in_short_runs += run.repeats + 1;
+    of_value.short_repeats += run.repeats;
+  }
+  const auto n = static_cast<double>(dwell.y_dps.size());
+  std::map<double, double> chance;
+  for (const auto& [value, of_value] : seen) {
+    const double again = (of_value.short_repeats + 1) / (of_value.in_short_runs + 2);
+    const double share = (of_value.samples + 1) / n;
+    chance[value] = std::min(of_value.in_short_runs > 50 ? std::max(share, again) : share, 1.0);
+  }
+  return chance;
+}
+
 void find_stuck(std::span<const DwellData> dwells, double lsb, CodeFindings& findings) {
   double total = 0, repeats = 0, by_chance = 0, flagged = 0;
   for (const DwellData& dwell : dwells) total += static_cast<double>(dwell.y_dps.size());
   for (const DwellData& dwell : dwells) {
-    const auto n = static_cast<double>(dwell.y_dps.size());
-    std::map<double, double> share;
-    for (const double y : dwell.y_dps) share[y] += 1 / n;
-    double chance = 0;
-    for (const auto& [value, p] : share) chance += p * p;
+    const auto runs = runs_of(dwell);
+    const auto chance = chance_to_repeat(dwell, runs);
     const double sd = dwell_shape(dwell, lsb).sd;
-    by_chance += n * chance;
-    std::size_t begin = 0;
-    for (std::size_t i = 1; i <= dwell.y_dps.size(); ++i) {
-      const bool goes_on = i < dwell.y_dps.size() && dwell.y_dps[i] == dwell.y_dps[begin] &&
-                           dwell.seq[i] == dwell.seq[i - 1] + 1;
-      if (goes_on) continue;
-      const auto r = static_cast<double>(i - begin - 1);
-      repeats += r;
+    for (const Run& run : runs) {
+      const double p = chance.at(run.value);
+      repeats += run.repeats;
+      by_chance += (run.repeats + 1) * p;
       // A dwell that sits inside one code is rounding, not sticking.
-      const double p = std::min(share[dwell.y_dps[begin]] + 1 / n, 1.0);
-      const double nats = -r * std::log(p) - std::log(total);
-      if (r >= 3 && nats > 2 && sd > 0.35 * lsb) {
-        findings.stuck_nats += std::min(nats, 40.0);
-        ++findings.stuck_runs;
-        flagged += r;
-      }
-      begin = i;
+      const double nats = -run.repeats * std::log(p) - std::log(total);
+      if (run.repeats < 3 || nats <= 2 || sd <= 0.35 * lsb) continue;
+      findings.stuck_nats += std::min(nats, 40.0);
+      ++findings.stuck_runs;
+      flagged += run.repeats;
     }
   }
   if (findings.stuck_runs == 0) return;

@@ -7,13 +7,16 @@
 #include <numbers>
 #include <optional>
 
+#include "compensation/discrepancy/dwell_shape.h"
 #include "compensation/discrepancy/slow_story.h"
 
 namespace gyrocal {
 namespace {
 
 constexpr double gated = 0.5;  // correlation of a line's power with the chamber's cooling
-// Two levels that owe nearly all they gain to their spectrum are a noise of that spectrum.
+// Two levels that owe nearly all they gain to their spectrum are a noise of that spectrum. Levels
+// less than a deviation apart owe it more: their lead goes with the fourth power of the distance,
+// what their spectrum gains with the square.
 constexpr double telegraph_lead_share = 0.12;
 
 Finding finding(const char* effect, const char* law, double amplitude, const char* unit, double sd,
@@ -146,7 +149,9 @@ void add_telegraph(const FastEvidence& evidence, std::vector<Finding>& found) {
   // Two levels must do better than any Gaussian noise of a like spectrum. What such noise explains
   // as well, the slow stream shows too and names.
   made.lead_nats = std::min({fit.nats, fit.lead_nats, fit.flicker_lead_nats});
-  if (made.lead_nats < std::max(lead_to_name_nats, telegraph_lead_share * fit.nats)) return;
+  const double apart = std::min(1.0, fit.level_dps / fit.white_sd_dps);
+  const double share = telegraph_lead_share * apart * apart;
+  if (made.lead_nats < std::max(lead_to_name_nats, share * fit.nats)) return;
   found.push_back(std::move(made));
 }
 
@@ -268,6 +273,22 @@ double highest_rail_seen(const FastEvidence& evidence) {
   return low;
 }
 
+/// Dwells that a rail has not flattened: where next to all samples are alike, those few that are
+/// not make a spectrum of their own.
+std::vector<DwellData> with_noise(const std::vector<DwellData>& dwells) {
+  constexpr double flat_share = 0.25;
+  std::vector<double> sd_dps;
+  for (const DwellData& dwell : dwells) sd_dps.push_back(white_sd_dps(dwell, 0));
+  std::vector<double> sorted = sd_dps;
+  std::sort(sorted.begin(), sorted.end());
+  const double usual_dps = sorted[sorted.size() * 3 / 4];
+  std::vector<DwellData> kept;
+  for (std::size_t d = 0; d < dwells.size(); ++d) {
+    if (sd_dps[d] >= flat_share * usual_dps) kept.push_back(dwells[d]);
+  }
+  return kept;
+}
+
 }  // namespace
 
 FastEvidence gather_fast_evidence(const Session& session, std::span<const Segment> segments,
@@ -275,11 +296,12 @@ FastEvidence gather_fast_evidence(const Session& session, std::span<const Segmen
   FastEvidence evidence;
   evidence.dwells = dwell_data(session, segments, track, false);
   if (evidence.dwells.empty()) return evidence;
-  evidence.spectrum = dwell_spectrum(evidence.dwells, session.sample_rate_hz);
-  evidence.lines = find_lines(evidence.spectrum, evidence.dwells, gate_nats);
+  const auto noisy = with_noise(evidence.dwells);
+  evidence.spectrum = dwell_spectrum(noisy, session.sample_rate_hz);
+  evidence.lines = find_lines(evidence.spectrum, noisy, gate_nats);
   evidence.colour = dwell_colour(evidence.spectrum);
   if (evidence.colour.relax_nats > gate_nats - 4) {
-    evidence.telegraph = fit_telegraph(evidence.dwells, session.sample_rate_hz);
+    evidence.telegraph = fit_telegraph(noisy, session.sample_rate_hz);
   }
   evidence.codes =
       inspect_codes(evidence.dwells, session.lsb_dps, evidence.telegraph.nats > gate_nats);

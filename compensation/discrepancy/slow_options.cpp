@@ -10,6 +10,7 @@
 #include "compensation/discrepancy/resonant_drift.h"
 #include "compensation/discrepancy/slow_line.h"
 #include "compensation/discrepancy/slow_telegraph.h"
+#include "compensation/discrepancy/unseen_film.h"
 
 namespace gyrocal {
 namespace {
@@ -191,7 +192,7 @@ std::vector<SlowOption> slow_options(const SlowModel& model, double sample_rate_
                                      const Executor& run_all) {
   std::vector<SlowOption> options;
   for (SlowCandidate& candidate : search_effects(model, run_all)) {
-    options.push_back(from_candidate(std::move(candidate)));
+    options.push_back(from_candidate(thinnest_film(model, std::move(candidate))));
   }
   add_noise(model, options);
   add_resonance(model, options);

@@ -79,3 +79,24 @@ TEST_CASE("a glitch far below the rail still counts") {
   CHECK(found.outliers == 8);
   CHECK(found.outliers_one_sided);
 }
+
+TEST_CASE("two levels make runs in a coarse converter, and no sample sticks") {
+  constexpr double coarse_dps = 0.1;  // a deviation of the noise
+  std::mt19937_64 random(23);
+  std::normal_distribution<double> noise(0, coarse_dps);
+  std::bernoulli_distribution flips(0.03);
+  std::vector<DwellData> dwells;
+  for (int d = 0; d < 12; ++d) {
+    bool high = false;
+    dwells.push_back(made_dwell(d, 3000, [&] {
+      if (flips(random)) high = !high;
+      return std::round((4 + 2 * coarse_dps * high + noise(random)) / coarse_dps) * coarse_dps;
+    }));
+  }
+  CHECK(inspect_codes(dwells, coarse_dps, true).stuck_nats < gate_nats);
+  for (int i = 200; i < 230; ++i)
+    dwells[5].y_dps[static_cast<std::size_t>(i)] = dwells[5].y_dps[200];
+  const CodeFindings stuck = inspect_codes(dwells, coarse_dps, true);
+  CHECK(stuck.stuck_nats > gate_nats);
+  CHECK(stuck.stuck_length == Approx(30).margin(4));
+}

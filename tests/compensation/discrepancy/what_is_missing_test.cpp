@@ -139,3 +139,23 @@ TEST_CASE("an hour without rows changes no name") {
   REQUIRE(found.has_value());
   CHECK(names_only_hysteresis(*found));
 }
+
+TEST_CASE("a film that formed in a kept-out segment is not told thicker than it was") {
+  constexpr double thick_dps = 0.05;
+  const double dew_c = GENERATE(6.5, 8.8);  // on the ramps to the kept-out 7.5 degC and from it
+  CAPTURE(dew_c);
+  rig::RigModel model = quiet_rig();
+  model.effects.push_back(
+      {"condensation_step",
+       "film",
+       {{"a", thick_dps}, {"t_dew", dew_c}, {"tau_on", 40}, {"tau_off", 1500}}});
+  rig::SessionPlan plan;
+  plan.samples_per_dwell = 1000;
+  const auto diagnosis = diagnose(rig::simulate_session(model, plan, 71), {}, {});
+  REQUIRE(diagnosis.has_value());
+  REQUIRE(diagnosis->findings.size() == 1);
+  CHECK(diagnosis->findings[0].effect == "condensation_step");
+  CHECK(diagnosis->findings[0].amplitude > 0.25 * thick_dps);
+  CHECK(diagnosis->findings[0].amplitude < 1.1 * thick_dps);
+  CHECK(diagnosis->gap.after < diagnosis->gap.before + 0.2);
+}
