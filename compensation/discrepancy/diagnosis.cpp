@@ -218,6 +218,100 @@ void store(const GapMeasure& measure, Gap& gap, double GapChannel::*when) {
   gap.link_share.*when = measure.link_share;
 }
 
+/// What the samples show and the board's temperature sensor, less what the rig model has already.
+std::vector<Finding> findings_beside_the_stream(const Case& c,
+                                                const std::vector<rig::Instance>& given) {
+  std::vector<Finding> found = fast_findings(c.fast, c.session.sample_rate_hz);
+  std::erase_if(found, [&](const Finding& finding) {
+    return already_modelled(finding, given, c.given.unexplained);
+  });
+  if (auto sensor = sensor_finding(c.track.board_sensor)) {
+    // A board that warms itself reads warmer than the air: no fault of its sensor.
+    const bool warms = std::any_of(given.begin(), given.end(), [](const rig::Instance& known) {
+      return known.effect->name == "self_heating";
+    });
+    if (!warms && !already_modelled(*sensor, given, {})) found.push_back(std::move(*sensor));
+  }
+  return found;
+}
+
+/// The gap and the spectra on what is kept out, before the findings and with them.
+void add_gap(const Case& c, const Simulation& before, const Simulation& after,
+             Diagnosis& diagnosis) {
+  const GapMeasure gap_before = measure_gap(c.session, c.segments, c.track, before);
+  const GapMeasure gap_after = measure_gap(c.session, c.segments, c.track, after);
+  diagnosis.gap.before = gap_before.total;
+  diagnosis.gap.after = gap_after.total;
+  store(gap_before, diagnosis.gap, &GapChannel::before);
+  store(gap_after, diagnosis.gap, &GapChannel::after);
+  for (const Segment& segment : c.segments) {
+    if (segment.held_out) diagnosis.gap.held_out_dwells.push_back(segment.dwell);
+  }
+  if (diagnosis.gap.held_out_dwells.empty()) {
+    diagnosis.notes.push_back("fewer than four dwells: none is kept out, so there is no gap");
+  }
+  for (const SpectrumPoint& point :
+       compare_spectra(c.session, c.segments, c.track, std::vector<Simulation>{before, after})) {
+    diagnosis.spectrum.push_back({point.f_hz, point.measured_dps2_per_hz,
+                                  point.simulated_dps2_per_hz[0], point.simulated_dps2_per_hz[1]});
+  }
+}
+
+/// All that was found, and the models it is added to.
+struct Found {
+  const SlowModel& before;
+  const SlowModel& after;
+  const std::vector<SlowFinding>& story;
+  const std::vector<Finding>& fast;
+  const rig::RigModel& fast_before;
+};
+
+/// The gap after each finding: the slow ones in the order they were found, then the samples' ones.
+std::vector<GapStep> gap_steps(const Case& c, const Found& found, double gap_before,
+                               const Executor& run_all) {
+  std::vector<Simulation> simulations;
+  std::vector<GapStep> steps{{"", gap_before}};
+  SlowModel partial = found.before;
+  for (std::size_t k = 1; k <= found.story.size(); ++k) {
+    add_findings(partial, found.story, k);
+    simulations.push_back(simulation_of(c, partial, found.fast_before, false));
+    steps.push_back({found.story[k - 1].effect, 0});
+  }
+  rig::RigModel part = found.fast_before;
+  for (const Finding& finding : found.fast) {
+    add_effect(part, finding, c.axis);
+    simulations.push_back(simulation_of(c, found.after, part, true));
+    steps.push_back({finding.effect, 0});
+  }
+  run_all(simulations.size(), [&](std::size_t k) {
+    steps[k + 1].gap = measure_gap(c.session, c.segments, c.track, simulations[k]).total;
+  });
+  return steps;
+}
+
+/// @param measured  with the rows that are not fitted.
+void add_prediction(const Case& c, const Session& measured, const Simulation& before,
+                    const Simulation& after, std::vector<PredictionRow>& prediction) {
+  const auto rows_before = predicted_rows(c.session, c.segments, c.track, before, nullptr);
+  const auto rows_after = predicted_rows(c.session, c.segments, c.track, after, nullptr);
+  for (std::size_t i = 0; i < measured.monitor.size(); ++i) {
+    const MonitorRow& row = measured.monitor[i];
+    prediction.push_back({row.t_s, row.gyro_dps, rows_before[i], rows_after[i]});
+  }
+}
+
+void add_limits(const Case& c, const SlowModel& slow, Diagnosis& diagnosis) {
+  diagnosis.detection_limits = slow_limits(slow);
+  diagnosis.detection_limits.merge(fast_limits(c.fast));
+  if (!acceleration_varies(c.track)) diagnosis.detection_limits.erase("g_sensitivity");
+  add_sensor_limit(c.track.board_sensor, diagnosis.detection_limits);
+  for (const rig::Effect& effect : rig::catalogue()) {
+    if (!diagnosis.detection_limits.contains(std::string(effect.name))) {
+      diagnosis.not_observable.emplace_back(effect.name);
+    }
+  }
+}
+
 }  // namespace
 
 Result<Diagnosis> diagnose(const Session& recorded, const rig::RigModel& model,
@@ -250,24 +344,14 @@ Result<Diagnosis> diagnose(const Session& recorded, const rig::RigModel& model,
 
   if (!c.track.lost.empty()) diagnosis.notes.push_back(c.track.lost);
   add_notes_on_columns(session, diagnosis.notes);
-  std::vector<Finding> fast = fast_findings(c.fast, session.sample_rate_hz);
-  std::erase_if(fast, [&](const Finding& finding) {
-    return already_modelled(finding, *given, model.unexplained);
-  });
-  if (auto sensor = sensor_finding(c.track.board_sensor)) {
-    // A board that warms itself reads warmer than the air: no fault of its sensor.
-    const bool warms = std::any_of(given->begin(), given->end(), [](const rig::Instance& known) {
-      return known.effect->name == "self_heating";
-    });
-    if (!warms && !already_modelled(*sensor, *given, {})) fast.push_back(std::move(*sensor));
-  }
+  std::vector<Finding> fast = findings_beside_the_stream(c, *given);
 
   const Session straight = unbent(session, c.law_after);
   const RowChoice rows = training_rows(straight, c.segments, lone_outlier_sd(c.fast.codes));
-  if (rows.rows.size() < 32) {
+  if (rows.rows.size() < monitor_rows_min) {
     return fail(Errc::too_few_points,
-                fmt::format("monitor.csv: {} rows are left for fitting, expected at least 32",
-                            rows.rows.size()));
+                fmt::format("monitor.csv: {} rows are left for fitting, expected at least {}",
+                            rows.rows.size(), monitor_rows_min));
   }
   c.row_white_sd_dps = row_white_sd_dps(straight, rows.rows);
   const SlowStream stream(straight, rows.rows, c.track, bin_width_s(straight),
@@ -314,63 +398,15 @@ Result<Diagnosis> diagnose(const Session& recorded, const rig::RigModel& model,
 
   const Simulation sim_before = simulation_of(c, before, fast_before, false);
   const Simulation sim_after = simulation_of(c, slow, fast_after, true);
-  const GapMeasure gap_before = measure_gap(session, c.segments, c.track, sim_before);
-  const GapMeasure gap_after = measure_gap(session, c.segments, c.track, sim_after);
-  diagnosis.gap.before = gap_before.total;
-  diagnosis.gap.after = gap_after.total;
-  store(gap_before, diagnosis.gap, &GapChannel::before);
-  store(gap_after, diagnosis.gap, &GapChannel::after);
-  for (const Segment& segment : c.segments) {
-    if (segment.held_out) diagnosis.gap.held_out_dwells.push_back(segment.dwell);
-  }
-  if (diagnosis.gap.held_out_dwells.empty()) {
-    diagnosis.notes.push_back("fewer than four dwells: none is kept out, so there is no gap");
-  }
-  for (const SpectrumPoint& point : compare_spectra(
-           session, c.segments, c.track, std::vector<Simulation>{sim_before, sim_after})) {
-    diagnosis.spectrum.push_back({point.f_hz, point.measured_dps2_per_hz,
-                                  point.simulated_dps2_per_hz[0], point.simulated_dps2_per_hz[1]});
-  }
-  // One step a finding: the slow ones in the order they were found, then the samples' ones.
-  std::vector<Simulation> simulations;
-  std::vector<std::string> added;
-  SlowModel partial = before;
-  for (std::size_t k = 1; k <= story.size(); ++k) {
-    add_findings(partial, story, k);
-    simulations.push_back(simulation_of(c, partial, fast_before, false));
-    added.push_back(story[k - 1].effect);
-  }
-  rig::RigModel part = fast_before;
-  for (const Finding& finding : fast) {
-    add_effect(part, finding, c.axis);
-    simulations.push_back(simulation_of(c, slow, part, true));
-    added.push_back(finding.effect);
-  }
-  std::vector<double> gaps(simulations.size());
-  options.run_all(gaps.size(), [&](std::size_t k) {
-    gaps[k] = measure_gap(session, c.segments, c.track, simulations[k]).total;
-  });
-  diagnosis.steps.push_back({"", gap_before.total});
-  for (std::size_t k = 0; k < gaps.size(); ++k) diagnosis.steps.push_back({added[k], gaps[k]});
-  const auto rows_before = predicted_rows(session, c.segments, c.track, sim_before, nullptr);
-  const auto rows_after = predicted_rows(session, c.segments, c.track, sim_after, nullptr);
-  for (std::size_t i = 0; i < measured.monitor.size(); ++i) {
-    diagnosis.prediction.push_back(
-        {measured.monitor[i].t_s, measured.monitor[i].gyro_dps, rows_before[i], rows_after[i]});
-  }
+  add_gap(c, sim_before, sim_after, diagnosis);
+  diagnosis.steps =
+      gap_steps(c, {before, slow, story, fast, fast_before}, diagnosis.gap.before, options.run_all);
+  add_prediction(c, measured, sim_before, sim_after, diagnosis.prediction);
   diagnosis.findings.insert(diagnosis.findings.end(), std::make_move_iterator(fast.begin()),
                             std::make_move_iterator(fast.end()));
   explain(diagnosis.findings);
   diagnosis.verdict = verdict_of(diagnosis.findings);
-  diagnosis.detection_limits = slow_limits(slow);
-  diagnosis.detection_limits.merge(fast_limits(c.fast));
-  if (!acceleration_varies(c.track)) diagnosis.detection_limits.erase("g_sensitivity");
-  add_sensor_limit(c.track.board_sensor, diagnosis.detection_limits);
-  for (const rig::Effect& effect : rig::catalogue()) {
-    if (!diagnosis.detection_limits.contains(std::string(effect.name))) {
-      diagnosis.not_observable.emplace_back(effect.name);
-    }
-  }
+  add_limits(c, slow, diagnosis);
   return diagnosis;
 }
 
