@@ -321,20 +321,19 @@ Result<Diagnosis> diagnose(const Session& recorded, const rig::RigModel& model,
   if (!given) return tl::unexpected(given.error());
 
   Diagnosis diagnosis;
-  const bool no_stream = rows_with_gyro(recorded) < monitor_rows_min;
-  const Session made = no_stream ? with_rows_of_samples(recorded) : Session{};
-  const Session& measured = no_stream ? made : recorded;
+  const auto stand_in = stand_in_for(recorded);
+  const Session& measured = stand_in ? *stand_in : recorded;
   if (auto enough = check_rows(measured); !enough) return tl::unexpected(enough.error());
-  if (no_stream) {
+  if (stand_in) {
     diagnosis.notes.push_back(fmt::format(
         "monitor.csv has {} rows with a gyro mean: means of the samples over {:.3g} s stand in for "
         "it; what happened between the dwells is not seen",
-        rows_with_gyro(recorded), made.monitor_interval_s));
+        rows_with_gyro(recorded), stand_in->monitor_interval_s));
   }
   std::vector<Segment> segments = split_segments(measured);
   Track track = make_track(measured, segments, model.baseline);
   const Session session =
-      no_stream ? measured : out_of_gap_shadows(measured, track, diagnosis.notes);
+      stand_in ? measured : out_of_gap_shadows(measured, track, diagnosis.notes);
   Case c{session,          model, axis_index(session.axis), std::move(segments),
          std::move(track), {},    MeanLaw({}, 0, 0),        MeanLaw({}, 0, 0)};
   c.fast = gather_fast_evidence(session, c.segments, c.track);

@@ -81,4 +81,9 @@ Session with_rows_of_samples(const Session& session) {
   return made;
 }
 
+std::optional<Session> stand_in_for(const Session& recorded) {
+  if (rows_with_gyro(recorded) >= monitor_rows_min) return std::nullopt;
+  return with_rows_of_samples(recorded);
+}
+
 }  // namespace gyrocal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "compensation/values/records.h"
 
@@ -16,5 +17,9 @@ inline constexpr std::size_t monitor_rows_min = 32;
 /// happened between its dwells is lost. Across a pause the temperature is taken to have reached the
 /// next dwell's half way.
 [[nodiscard]] Session with_rows_of_samples(const Session& session);
+
+/// What is judged in place of a session with next to no slow stream; nothing where it is judged as
+/// it was recorded.
+[[nodiscard]] std::optional<Session> stand_in_for(const Session& recorded);
 
 }  // namespace gyrocal

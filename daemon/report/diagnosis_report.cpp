@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compensation/discrepancy/sample_rows.h"
 #include "compensation/discrepancy/segments.h"
 #include "compensation/rig/effects/catalogue.h"
 #include "daemon/report/figure.h"
@@ -268,10 +269,10 @@ Result<std::string> diagnosis_report(const Session& session, const Diagnosis& di
   add_findings(page, diagnosis);
   add_ranking(page, diagnosis);
   add_gap(page, diagnosis);
-  if (auto drawn = add_figures(page, session, diagnosis); !drawn) {
-    return tl::unexpected(drawn.error());
-  }
-  if (auto drawn = add_spectra(page, diagnosis); !drawn) return tl::unexpected(drawn.error());
+  const auto stand_in = stand_in_for(session);
+  auto drawn = add_figures(page, stand_in ? *stand_in : session, diagnosis);
+  if (drawn) drawn = add_spectra(page, diagnosis);
+  if (!drawn) return tl::unexpected(drawn.error());
   add_limits(page, diagnosis);
   if (!diagnosis.notes.empty()) page.heading("Notes");
   page.list(diagnosis.notes);
