@@ -332,6 +332,8 @@ Result<Diagnosis> diagnose(const Session& recorded, const rig::RigModel& model,
   }
   std::vector<Segment> segments = split_segments(measured);
   Track track = make_track(measured, segments, model.baseline);
+  // What the air did between the dwells is guessed: no measure of the board's sensor.
+  if (stand_in) track.board_sensor.observed = false;
   const Session session =
       stand_in ? measured : out_of_gap_shadows(measured, track, diagnosis.notes);
   Case c{session,          model, axis_index(session.axis), std::move(segments),

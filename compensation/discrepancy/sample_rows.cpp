@@ -6,7 +6,8 @@
 namespace gyrocal {
 namespace {
 
-constexpr double row_s = 1;
+constexpr double row_s_max = 1;
+constexpr double rows_wanted = 64;
 constexpr double samples_per_row_min = 4;
 constexpr double pause_rows = 4;  // more without a sample is a pause
 
@@ -64,7 +65,9 @@ std::size_t rows_with_gyro(const Session& session) {
 
 Session with_rows_of_samples(const Session& session) {
   Session made = session;
-  made.monitor_interval_s = std::max(row_s, samples_per_row_min / session.sample_rate_hz);
+  const double recorded_s = static_cast<double>(session.samples.size()) / session.sample_rate_hz;
+  made.monitor_interval_s = std::max(std::min(row_s_max, recorded_s / rows_wanted),
+                                     samples_per_row_min / session.sample_rate_hz);
   made.monitor.clear();
   const double full = made.monitor_interval_s * session.sample_rate_hz;
   for (const Part& part : parts_of(session, made.monitor_interval_s)) {
