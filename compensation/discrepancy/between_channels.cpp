@@ -91,17 +91,15 @@ void settle_between_channels(std::vector<Finding>& slow, std::vector<Finding>& f
                              const CodeFindings& codes, double lsb_dps, bool bends) {
   doubt_beside_a_warm_board(slow, fast);
   // A board warmed by its own electronics reads warmer than the air: no fault of its sensor.
-  const auto may_be = [&slow](const char* name) {
-    return std::any_of(slow.begin(), slow.end(), [name](const Finding& f) {
-      return f.effect == name ||
-             std::count(f.confounded_with.begin(), f.confounded_with.end(), name) > 0;
-    });
-  };
-  if (may_be("self_heating")) {
+  const bool may_warm = std::any_of(slow.begin(), slow.end(), [](const Finding& f) {
+    return is_effect(f, "self_heating") ||
+           std::count(f.confounded_with.begin(), f.confounded_with.end(), "self_heating") > 0;
+  });
+  if (may_warm) {
     std::erase_if(fast, [](const Finding& f) { return is_effect(f, "board_sensor_offset"); });
   }
-  const double bend_lsb = code_bend_lsb(codes, among(fast, "missing_codes") != fast.end());
   if (bends) {
+    const double bend_lsb = code_bend_lsb(codes, among(fast, "missing_codes") != fast.end());
     std::erase_if(slow, [&](const Finding& f) {
       return is_effect(f, "mode_crossing") && std::abs(f.amplitude) < bend_lsb * lsb_dps;
     });

@@ -43,7 +43,6 @@ Result<void> check_head(const Session& session) {
 }
 
 Result<void> check_monitor(const Session& session) {
-  std::size_t with_gyro = 0;
   double low = 1e300, high = -1e300;
   for (std::size_t i = 0; i < session.monitor.size(); ++i) {
     const MonitorRow& row = session.monitor[i];
@@ -63,11 +62,10 @@ Result<void> check_monitor(const Session& session) {
       }
     }
     if (std::isnan(row.gyro_dps)) continue;
-    ++with_gyro;
     low = std::min(low, row.gyro_dps);
     high = std::max(high, row.gyro_dps);
   }
-  if (with_gyro >= monitor_rows_min && low == high) {
+  if (rows_with_gyro(session) >= monitor_rows_min && low == high) {
     return fail(Errc::bad_input,
                 fmt::format("monitor.csv: gyro_z_dps is {} in every row: a constant column", low),
                 "was the board streaming?");
