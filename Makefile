@@ -1,5 +1,6 @@
 # make demo    a whole campaign on simulated devices, through the real drivers, to a stored model
 # make test    every test
+# make build   the two programs and their manual
 # make bench   timings beside their peers        make judge   diagnose against hidden effects
 # make bench-growth   how each cost grows with the work      make bench-profile   diagnose, by perf
 # make soak    the long forms: fuzzing, sanitizers, seeds       make install [PREFIX= DESTDIR=]
@@ -20,7 +21,7 @@ BUILD := build/release
 DEMO := build/demo
 CAMPAIGN := config/campaigns/demo.toml
 
-.PHONY: help packages build demo test bench bench-growth bench-profile judge soak install deb
+.PHONY: help packages configured build everything demo test bench bench-growth bench-profile judge soak install deb
 
 help:
 	@grep -E '^# make' Makefile | cut -c3-
@@ -49,9 +50,16 @@ packages:
 	$$as_root env DEBIAN_FRONTEND=noninteractive \
 	  apt-get install -y -qq --no-install-recommends "$${missing[@]}" >/dev/null
 
-build: packages
+configured: packages
 	@mkdir -p build
 	cmake --preset release >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 1; }
+
+# What is released; tests and benches are built where they are run.
+PROGRAMS := gyrocal gyrocald gyrocal_manual
+build: configured
+	cmake --build --preset release -j $(JOBS) --target $(PROGRAMS)
+
+everything: configured
 	cmake --build --preset release -j $(JOBS)
 
 demo: build
@@ -71,19 +79,19 @@ demo: build
 	  printf '\n  sqlite3 -box %s "%s"\n' $(DEMO)/demo.db "$$query"
 	done
 
-test: build
+test: everything
 	@ctest --preset release -j $(JOBS)
 
-bench: build
+bench: everything
 	@$(BUILD)/tests/bench/gyrocal_bench
 
-bench-growth: build
+bench-growth: everything
 	@$(BUILD)/tests/bench/gyrocal_bench --growth
 
-bench-profile: build
+bench-profile: everything
 	@tests/bench/profile_diagnose.sh $(BUILD)
 
-judge: build
+judge: everything
 	@rm -rf build/judge; mkdir -p build/judge
 	$(BUILD)/gyrocal_hidden_sessions --out build/judge --set full --seed 1
 	$(BUILD)/gyrocal_judge --gyrocal $(BUILD)/gyrocal --sessions build/judge --jobs $(JOBS)
@@ -92,7 +100,7 @@ judge: build
 # campaigns with random faults from a seed that differs each time: SEEDS= and FIRST= repeat them.
 SEEDS ?= 20000
 FIRST ?= $(shell date +%s)000
-soak: build
+soak: everything
 	@for preset in dev tsan; do
 	  cmake --preset $$preset >build/configure-$$preset.log
 	  cmake --build --preset $$preset -j $(JOBS)
@@ -107,7 +115,7 @@ soak: build
 # The prefix is compiled in: where profiles are looked for, which programs the unit starts.
 install: build
 	@cmake --preset release -DCMAKE_INSTALL_PREFIX="$(PREFIX)" >build/configure.log
-	cmake --build --preset release -j $(JOBS)
+	cmake --build --preset release -j $(JOBS) --target $(PROGRAMS)
 	cmake --install $(BUILD)
 
 # Dated by the last commit, or by SOURCE_DATE_EPOCH, so that a rebuild gives the same file.

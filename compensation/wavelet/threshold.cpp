@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compensation/wavelet/median_magnitude.h"
+
 namespace gyrocal {
 namespace {
 
@@ -51,14 +53,7 @@ double minimax_threshold(double sigma, std::size_t signal_length) {
 
 double robust_sigma(std::span<const double> details, std::vector<double>& scratch) {
   if (details.empty()) return 0.0;
-  scratch.resize(details.size());
-  std::transform(details.begin(), details.end(), scratch.begin(),
-                 [](double d) { return std::abs(d); });
-  const auto middle = scratch.begin() + static_cast<std::ptrdiff_t>(scratch.size() / 2);
-  std::nth_element(scratch.begin(), middle, scratch.end());
-  double median = *middle;
-  if (scratch.size() % 2 == 0) median = (median + *std::max_element(scratch.begin(), middle)) / 2;
-  return median / normal_quartile;
+  return median_magnitude(details, scratch) / normal_quartile;
 }
 
 double threshold_of(ThresholdChoice choice, std::span<const double> details, double sigma,

@@ -16,10 +16,10 @@
 namespace gyrocal::bench {
 namespace {
 
-constexpr int boards = 64;
-constexpr BoardMode mode{400, false, true};
+constexpr int board_count = 64;
+constexpr BoardMode acquisition_mode{400, false, true};
 constexpr Duration turn = std::chrono::milliseconds{20};  // of the daemon's loop
-const CampaignShape shape{.boards = boards, .setpoints = 1};
+const CampaignShape one_dwell_shape{.boards = board_count, .setpoints = 1};
 
 struct Side {
   explicit Side(const std::string& device, Clock& clock)
@@ -39,7 +39,8 @@ class Acquisition {
 
   Result<void> open() {
     for (Side& side : sides_) {
-      if (const auto opened = side.board.open(mode); !opened) return tl::unexpected(opened.error());
+      if (const auto opened = side.board.open(acquisition_mode); !opened)
+        return tl::unexpected(opened.error());
     }
     for (Side& side : sides_) {
       if (auto started = side.board.start(); !started) return started;
@@ -109,7 +110,7 @@ class Acquisition {
 
   ScaledClock clock_;
   std::deque<Side> sides_;
-  runner::DwellCollector dwell_{shape.dwell_samples, 0};
+  runner::DwellCollector dwell_{one_dwell_shape.dwell_samples, 0};
   std::vector<BoardSample> fresh_;
 };
 
@@ -129,7 +130,7 @@ Result<Rows> measure(const Scratch& folder, const nlohmann::json& served) {
   auto store = Store::open(folder / "acquisition.db");
   if (!store) return tl::unexpected(store.error());
   std::vector<BoardId> ids;
-  const auto campaign = begin_campaign(*store, shape, ids);
+  const auto campaign = begin_campaign(*store, one_dwell_shape, ids);
   if (!campaign) return tl::unexpected(campaign.error());
   Acquisition acquisition(served);
   if (auto opened = acquisition.open(); !opened) return tl::unexpected(opened.error());
@@ -137,12 +138,12 @@ Result<Rows> measure(const Scratch& folder, const nlohmann::json& served) {
   if (!ran) return tl::unexpected(ran.error());
   const auto stored = samples_stored(*store, *campaign);
   if (!stored) return tl::unexpected(stored.error());
-  const bool whole = acquisition.lost == 0 && *stored == shape.samples();
+  const bool whole = acquisition.lost == 0 && *stored == one_dwell_shape.samples();
   const double share = acquisition.cpu_share;
   return Rows{number("64 boards at 400 Hz on ptys: frames lost",
                      fmt::format("{}", acquisition.lost), "0", whole,
                      fmt::format("of {}; {} in dwells, {} stored", acquisition.frames,
-                                 shape.samples(), *stored)),
+                                 one_dwell_shape.samples(), *stored)),
               number("the same: a core's share, all but the store", shown(100 * share, "%"),
                      "<= 10 %", share <= 0.10, "drivers, dwells, slow stream; user and system"),
               number("the same: storing the dwells",
@@ -155,7 +156,7 @@ Result<Rows> measure(const Scratch& folder, const nlohmann::json& served) {
 
 Rows acquisition_rows() {
   const Scratch folder;
-  BackgroundProcess rig({GYROCAL_PROGRAM, "rig", "serve", "--boards", std::to_string(boards),
+  BackgroundProcess rig({GYROCAL_PROGRAM, "rig", "serve", "--boards", std::to_string(board_count),
                          "--port", "0", "--link-dir", folder / "boards", "--json"});
   const auto served = nlohmann::json::parse(rig.read_line(), nullptr, false);
   if (served.is_discarded())

@@ -8,7 +8,7 @@
 namespace gyrocal::bench {
 namespace {
 
-constexpr int rounds = 5;
+constexpr int campaign_rounds = 5;
 const char job[] = "virtual campaign: 25 setpoints, 2 boards, wall";
 
 std::string described(const VirtualRun& run) {
@@ -20,7 +20,7 @@ Rows virtual_rows(const std::string& file, const Scratch& folder) {
   std::vector<double> wall_s;
   std::vector<double> cpu_s;
   VirtualRun last;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < campaign_rounds; ++round) {
     const auto run = run_virtual(file, folder / fmt::format("{}.db", round), false);
     if (!run) return {failed(job, run.error().what)};
     wall_s.push_back(run->process.wall_s);
@@ -54,7 +54,7 @@ Row decisions_row() {
 Rows decode_rows(const std::string& recording) {
   std::vector<double> taken;
   double frames = 0;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < campaign_rounds; ++round) {
     const auto decoded = decode_recording(recording);
     if (!decoded) return {failed("decoding a recording", decoded.error().what)};
     taken.push_back(decoded->cpu_s);
@@ -70,7 +70,7 @@ Rows decode_rows(const std::string& recording) {
 Rows replay_rows(const std::string& recording, double frames) {
   std::vector<double> wall_s;
   std::vector<double> cpu_s;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < campaign_rounds; ++round) {
     const auto replayed = run_child({GYROCAL_PROGRAM, "replay", recording});
     if (!replayed || replayed->exit_code != 0) return {failed("replay", recording)};
     wall_s.push_back(replayed->wall_s);

@@ -16,7 +16,7 @@
 namespace gyrocal::bench {
 namespace {
 
-double seconds(const timeval& time) {
+double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
@@ -72,7 +72,7 @@ std::optional<ChildResult> run_child(const std::vector<std::string>& arguments) 
   wait4(started->child, &status, 0, &used);
   result.wall_s = wall_now_s() - begin;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  result.cpu_s = seconds(used.ru_utime) + seconds(used.ru_stime);
+  result.cpu_s = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
   result.memory_bytes = 1024.0 * static_cast<double>(used.ru_maxrss);
   return result;
 }

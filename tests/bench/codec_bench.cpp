@@ -16,12 +16,12 @@ namespace gyrocal::bench {
 namespace {
 
 constexpr std::size_t frames = 200'000;
-constexpr BoardMode mode{400, false, true};
+constexpr BoardMode codec_mode{400, false, true};
 
 /// Bytes to samples to the dwell and the slow stream they belong to, as the daemon's loop does it.
 /// @return CPU time of a frame; not a number if a frame was lost.
 double cpu_of_frame_s(const Bytes& bytes, std::size_t frames_a_read) {
-  CannedBoard canned(mode);
+  CannedBoard canned(codec_mode);
   if (!canned.started()) return NAN;
   const std::size_t frame_bytes = bytes.size() / frames;
   canned.link().play(bytes, frames_a_read * frame_bytes);
@@ -30,7 +30,7 @@ double cpu_of_frame_s(const Bytes& bytes, std::size_t frames_a_read) {
   dwell.begin(canned.clock().now().time_since_epoch(), std::array<std::size_t, 1>{0});
   std::vector<BoardSample> fresh;
   std::size_t taken = 0;
-  const Duration turn = seconds(static_cast<double>(frames_a_read) / mode.sample_rate_hz);
+  const Duration turn = seconds(static_cast<double>(frames_a_read) / codec_mode.sample_rate_hz);
   const double before = cpu_now_s();
   while (!canned.link().ended()) {
     canned.clock().sleep_until(canned.clock().now() + turn);
@@ -70,7 +70,7 @@ Peer script(const Bytes& bytes) {
 
 Rows codec_rows() {
   const std::string job = "codec and dispatch of a frame";
-  const Bytes bytes = frames_on_wire(mode, frames);
+  const Bytes bytes = frames_on_wire(codec_mode, frames);
   const auto few = measure(bytes, 8);
   const auto many = measure(bytes, 250);
   if (!few || !many) return {failed(job, "frames were lost")};

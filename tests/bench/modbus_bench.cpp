@@ -19,7 +19,7 @@ namespace {
 
 constexpr int readings = 2000;
 
-struct Taken {
+struct RoundTrips {
   std::vector<double> wall_s;
   std::vector<double> cpu_s;
   template <class Read>
@@ -48,18 +48,18 @@ struct Free {
     modbus_free(modbus);
   }
 };
-using Handle = std::unique_ptr<modbus_t, Free>;
+using ModbusHandle = std::unique_ptr<modbus_t, Free>;
 
 Rows measure(const ChamberProfile& profile, const std::string& host, int port, int unit) {
   ScaledClock clock;
   ModbusLink link(TcpAddress{host, port}, seconds(1), clock);
   ModbusChamber chamber(link, clock, profile, unit);
-  const Handle bare(modbus_new_tcp(host.c_str(), port));
+  const ModbusHandle bare(modbus_new_tcp(host.c_str(), port));
   if (!bare || modbus_set_slave(bare.get(), unit) != 0 || modbus_connect(bare.get()) != 0) {
     return {failed("a reading of the chamber", "libmodbus did not connect")};
   }
-  Taken ours;
-  Taken peer;
+  RoundTrips ours;
+  RoundTrips peer;
   bool done = true;
   for (int i = 0; i < readings && done; ++i) {  // by turns
     done = ours.time([&] { return chamber.read().has_value(); }) &&

@@ -16,8 +16,8 @@ namespace gyrocal::bench {
 namespace {
 
 /// 7.5 million samples, and a slow stream of 15 hours of every board.
-const CampaignShape shape{.boards = 100, .monitor_rows = 10800};
-constexpr int rounds = 5;
+const CampaignShape fleet_shape{.boards = 100, .monitor_rows = 10800};
+constexpr int query_rounds = 5;
 constexpr double slow_s = 0.050;
 constexpr double limit_s = 1.0;
 
@@ -59,7 +59,7 @@ Result<std::vector<std::string>> scans_of(const Database& database, const std::s
 Result<Query> measure(const Database& database, const std::string& sql) {
   Query query{sql, {}, {}};
   std::vector<double> wall_s;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < query_rounds; ++round) {
     const double before = wall_now_s();
     if (const auto ran = run_through(database, sql); !ran) return tl::unexpected(ran.error());
     wall_s.push_back(wall_now_s() - before);
@@ -117,7 +117,7 @@ Rows write_rows(const std::string& path) {
   {
     auto store = Store::open(path);
     if (!store) return {failed(job, store.error().what)};
-    const auto written = write_campaign(*store, shape);
+    const auto written = write_campaign(*store, fleet_shape);
     if (!written) return {failed(job, written.error().what)};
   }
   const double wall_s = wall_now_s() - before;
@@ -130,7 +130,7 @@ Rows analysis_of_all(const std::string& path) {
   const std::string job = "analysis of 100 boards in one run, CPU a board";
   const auto ran = run_child({this_program(), "--analyse", path});
   if (!ran || ran->exit_code != 0) return {failed(job, "gyrocal_bench --analyse")};
-  const double each_s = ran->cpu_s / shape.boards;
+  const double each_s = ran->cpu_s / fleet_shape.boards;
   const double cores = ran->cpu_s / ran->wall_s;
   return {
       within(job, {each_s, each_s, each_s}, 0.040, "as much as alone: linear"),

@@ -14,16 +14,16 @@ namespace gyrocal::bench {
 namespace {
 
 constexpr int groups = 25;
-constexpr int rounds = 9;
-const CampaignShape shape{.boards = 1, .setpoints = groups};
+constexpr int store_rounds = 9;
+const CampaignShape one_board_shape{.boards = 1, .setpoints = groups};
 
-struct Taken {
+struct TimesTaken {
   double cpu_s = 0;
   double wall_s = 0;
 };
 
 template <class Write>
-Taken time_writing(Write write) {
+TimesTaken time_writing(Write write) {
   const double wall = wall_now_s();
   const double cpu = cpu_now_s();
   write();
@@ -35,19 +35,20 @@ using Dwells = std::vector<std::vector<BoardSample>>;
 Dwells make_dwells() {
   std::mt19937 random(11);
   Dwells dwells;
-  for (int i = 0; i < groups; ++i) dwells.push_back(dwell_at(i, shape.dwell_samples, random));
+  for (int i = 0; i < groups; ++i)
+    dwells.push_back(dwell_at(i, one_board_shape.dwell_samples, random));
   return dwells;
 }
 
 /// As the daemon does it, into a database of its own.
-Result<Taken> write_by_store(const std::string& path, const Dwells& dwells) {
+Result<TimesTaken> write_by_store(const std::string& path, const Dwells& dwells) {
   auto store = Store::open(path);
   if (!store) return tl::unexpected(store.error());
   std::vector<BoardId> boards;
-  const auto campaign = begin_campaign(*store, shape, boards);
+  const auto campaign = begin_campaign(*store, one_board_shape, boards);
   if (!campaign) return tl::unexpected(campaign.error());
   Result<void> done;
-  const Taken taken = time_writing([&] {
+  const TimesTaken taken = time_writing([&] {
     for (int i = 0; i < groups && done; ++i) {
       const auto& samples = dwells[static_cast<std::size_t>(i)];
       const DwellWithSamples dwell{dwell_row(boards.front(), i, samples), samples};
@@ -55,7 +56,7 @@ Result<Taken> write_by_store(const std::string& path, const Dwells& dwells) {
       if (!stored) done = tl::unexpected(stored.error());
     }
   });
-  return done ? Result<Taken>(taken) : tl::unexpected(done.error());
+  return done ? Result<TimesTaken>(taken) : tl::unexpected(done.error());
 }
 
 struct CloseDatabase {
@@ -64,9 +65,9 @@ struct CloseDatabase {
 struct FinalizeStatement {
   void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 };
-using Handle = std::unique_ptr<sqlite3, CloseDatabase>;
+using DatabaseHandle = std::unique_ptr<sqlite3, CloseDatabase>;
 
-bool execute(const Handle& database, const std::string& sql) {
+bool execute(const DatabaseHandle& database, const std::string& sql) {
   return sqlite3_exec(database.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK;
 }
 
@@ -91,10 +92,10 @@ constexpr char insert_dwell[] =
     "samples, frames_missing, counter_first) VALUES (1, 1, {}, 1, 0, 1, 0, 3000, 0, 1)";
 
 /// The same rows into the same tables in the same kind of transaction, by nothing but SQLite.
-std::optional<Taken> write_bare(const std::string& path, const Dwells& dwells) {
+std::optional<TimesTaken> write_bare(const std::string& path, const Dwells& dwells) {
   sqlite3* opened = nullptr;
   const bool open = sqlite3_open(path.c_str(), &opened) == SQLITE_OK;
-  const Handle database(opened);
+  const DatabaseHandle database(opened);
   sqlite3_stmt* prepared = nullptr;
   const bool ready =
       open &&
@@ -105,7 +106,7 @@ std::optional<Taken> write_bare(const std::string& path, const Dwells& dwells) {
   const std::unique_ptr<sqlite3_stmt, FinalizeStatement> insert(prepared);
   if (!ready) return std::nullopt;
   bool done = true;
-  const Taken taken = time_writing([&] {
+  const TimesTaken taken = time_writing([&] {
     for (int i = 0; i < groups && done; ++i) {
       done = execute(database, "BEGIN IMMEDIATE") &&
              execute(database, fmt::format(insert_dwell, i)) &&
@@ -122,12 +123,12 @@ Result<void> begin_database(const std::string& path) {
   auto store = Store::open(path);
   if (!store) return tl::unexpected(store.error());
   std::vector<BoardId> boards;
-  const auto campaign = begin_campaign(*store, shape, boards);
+  const auto campaign = begin_campaign(*store, one_board_shape, boards);
   return campaign ? Result<void>{} : tl::unexpected(campaign.error());
 }
 
 Spread per_sample(const std::vector<double>& seconds) {
-  return spread_of(seconds) * (1.0 / static_cast<double>(shape.samples()));
+  return spread_of(seconds) * (1.0 / static_cast<double>(one_board_shape.samples()));
 }
 
 }  // namespace
@@ -136,7 +137,7 @@ Rows store_rows() {
   const Scratch folder;
   const Dwells dwells = make_dwells();
   std::vector<double> ours_cpu, ours_wall, bare_cpu, bare_wall;
-  for (int round = 0; round < rounds; ++round) {  // by turns: the disk is the same for both
+  for (int round = 0; round < store_rounds; ++round) {  // by turns: the disk is the same for both
     const auto ours = write_by_store(folder / fmt::format("ours{}.db", round), dwells);
     if (!ours) return {failed("store a sample", ours.error().what)};
     const std::string path = folder / fmt::format("bare{}.db", round);
@@ -154,9 +155,9 @@ Rows store_rows() {
   Peer peer{"Python sqlite3", {}, "python3"};
   if (python) peer.took_s = spread_from(python->at("cpu_s"));
   const std::string job =
-      fmt::format("store a sample, {} groups of {}", groups, shape.dwell_samples);
+      fmt::format("store a sample, {} groups of {}", groups, one_board_shape.dwell_samples);
   const auto bytes = static_cast<double>(std::filesystem::file_size(folder / "ours0.db")) /
-                     static_cast<double>(shape.samples());
+                     static_cast<double>(one_board_shape.samples());
   const Peer bare{"SQLite " SQLITE_VERSION, per_sample(bare_cpu), ""};
   const Peer bare_on_disk{"SQLite " SQLITE_VERSION, per_sample(bare_wall), ""};
   return {

@@ -1,9 +1,12 @@
 #include "compensation/wavelet/denoise.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
+
+#include "compensation/wavelet/median_magnitude.h"
 
 using namespace gyrocal;
 
@@ -47,6 +50,25 @@ TEST_CASE("the noise estimate is the median of |d| over the normal quartile", "[
   CHECK(robust_sigma(std::vector<double>{-1, 5, 2}, scratch) == 2 / 0.6744897501960817);
   CHECK(robust_sigma(std::vector<double>{-1, 5, 2, -4}, scratch) == 3 / 0.6744897501960817);
   CHECK(robust_sigma({}, scratch) == 0);
+}
+
+TEST_CASE("a long band's median is the one that sorting finds, wherever the large values lie",
+          "[wavelet]") {
+  std::vector<double> scratch;
+  for (const std::size_t length : {499u, 500u, 501u, 1503u, 3000u}) {
+    const std::vector<double> noise = white_noise(length, 1.0, 11);
+    std::vector<double> few_levels = noise;
+    for (double& x : few_levels) x = std::round(x);
+    std::vector<double> misleading = noise;  // every value that is looked at first is far too large
+    for (std::size_t i = 0; i < 99; ++i) misleading[i * length / 99] = 1e6;
+    for (const auto& values : {noise, few_levels, misleading}) {
+      std::vector<double> sorted = values;
+      for (double& x : sorted) x = std::abs(x);
+      std::sort(sorted.begin(), sorted.end());
+      const double median = (sorted[length / 2] + sorted[(length - 1) / 2]) / 2;
+      CHECK(median_magnitude(values, scratch) == median);
+    }
+  }
 }
 
 TEST_CASE("the four thresholds of a band worked by hand", "[wavelet]") {
