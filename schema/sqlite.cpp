@@ -203,8 +203,6 @@ std::int64_t Database::last_insert_id() const {
 
 bool Database::read_only() const { return sqlite3_db_readonly(connection_.get(), "main") == 1; }
 
-std::int64_t Database::changes() const { return sqlite3_changes64(connection_.get()); }
-
 Result<void> Database::transaction(const std::function<Result<void>()>& body) const {
   return between("BEGIN IMMEDIATE", body);
 }

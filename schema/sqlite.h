@@ -89,7 +89,6 @@ class Database {
   [[nodiscard]] Result<std::int64_t> integer(std::string_view sql) const;
   [[nodiscard]] std::int64_t last_insert_id() const;
   [[nodiscard]] bool read_only() const;        ///< also where SQLite found no permission to write
-  [[nodiscard]] std::int64_t changes() const;  ///< rows of the latest INSERT, UPDATE or DELETE
   [[nodiscard]] const std::string& path() const { return path_; }
 
   /// Runs `body` in one transaction that takes the writer's place at once: committed to disk if it

@@ -1,6 +1,8 @@
 // What a campaign writes as it goes, but for the dwells: see store_group.cpp.
 #include <fmt/core.h>
 
+#include <set>
+
 #include "schema/store_impl.h"
 
 namespace gyrocal {
@@ -12,6 +14,15 @@ std::string axes_of(const BoardRow& board) {
     if (board.measured.at(static_cast<std::size_t>(axis))) axes += letter(axis);
   }
   return axes;
+}
+
+Result<std::set<std::int64_t>> boards_of(const Database& database, CampaignId campaign) {
+  std::set<std::int64_t> boards;
+  auto read = for_each_row(
+      database, "SELECT id FROM board WHERE campaign_id = ?",
+      [&](const Statement& row) { boards.insert(row.integer(0)); }, key(campaign));
+  if (!read) return tl::unexpected(read.error());
+  return boards;
 }
 
 }  // namespace
@@ -71,20 +82,20 @@ Result<void> Store::set_campaign_state(CampaignId campaign, const std::string& s
 
 Result<void> Store::add_monitor(CampaignId campaign, std::span<const MonitorInsert> rows) {
   return impl_->write("monitor rows", [&]() -> Result<void> {
-    // SELECT, not VALUES: a board of another campaign gives no row, which changes() then shows.
-    auto insert = impl_->database.prepare(
-        "INSERT INTO monitor SELECT id, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11 "
-        "FROM board WHERE id = ?2 AND campaign_id = ?1");
+    const auto known = boards_of(impl_->database, campaign);
+    if (!known) return tl::unexpected(known.error());
+    // VALUES, not SELECT from board: SQLite would journal a page for each row.
+    auto insert =
+        impl_->database.prepare("INSERT INTO monitor VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     if (!insert) return tl::unexpected(insert.error());
     for (const MonitorInsert& row : rows) {
-      auto done =
-          insert->run(key(campaign), key(row.board), row.t_ns, row.setpoint_c, row.chamber_c,
-                      row.board_c, row.gyro_mean_lsb[0], row.gyro_mean_lsb[1], row.gyro_mean_lsb[2],
-                      row.frames, row.frames_missing);
-      if (done && impl_->database.changes() != 1) {
-        done = fail(Errc::bad_input,
+      if (!known->contains(key(row.board))) {
+        return fail(Errc::bad_input,
                     fmt::format("board {} is not in campaign {}", key(row.board), key(campaign)));
       }
+      auto done = insert->run(key(row.board), row.t_ns, row.setpoint_c, row.chamber_c, row.board_c,
+                              row.gyro_mean_lsb[0], row.gyro_mean_lsb[1], row.gyro_mean_lsb[2],
+                              row.frames, row.frames_missing);
       if (!done) return done;
     }
     return {};
