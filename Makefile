@@ -21,7 +21,8 @@ BUILD := build/release
 DEMO := build/demo
 CAMPAIGN := config/campaigns/demo.toml
 
-.PHONY: help packages configured build everything demo test bench bench-growth bench-profile judge soak install deb
+.PHONY: help packages configured build everything demo test bench bench-growth bench-profile judge \
+  soak install deb
 
 help:
 	@grep -E '^# make' Makefile | cut -c3-
