@@ -56,9 +56,8 @@ configured: packages
 	cmake --preset release >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 1; }
 
 # What is released; tests and benches are built where they are run.
-PROGRAMS := gyrocal gyrocald gyrocal_manual
 build: configured
-	cmake --build --preset release -j $(JOBS) --target $(PROGRAMS)
+	cmake --build --preset release -j $(JOBS) --target gyrocal_release
 
 everything: configured
 	cmake --build --preset release -j $(JOBS)
@@ -116,7 +115,7 @@ soak: everything
 # The prefix is compiled in: where profiles are looked for, which programs the unit starts.
 install: build
 	@cmake --preset release -DCMAKE_INSTALL_PREFIX="$(PREFIX)" >build/configure.log
-	cmake --build --preset release -j $(JOBS) --target $(PROGRAMS)
+	cmake --build --preset release -j $(JOBS) --target gyrocal_release
 	cmake --install $(BUILD)
 
 # Dated by the last commit, or by SOURCE_DATE_EPOCH, so that a rebuild gives the same file.

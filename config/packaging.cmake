@@ -6,6 +6,9 @@ set(changelog ${PROJECT_BINARY_DIR}/changelog.gz)
 add_custom_command(OUTPUT ${changelog} COMMAND sh -c "gzip -9nc ${debian}/changelog >${changelog}"
   DEPENDS ${debian}/changelog VERBATIM)
 add_custom_target(gyrocal_changelog ALL DEPENDS ${changelog})
+# Whatever an installation takes from the build: what make demo and make install wait for.
+add_custom_target(gyrocal_release
+  DEPENDS gyrocal gyrocald gyrocal_manual gyrocal_changelog)
 install(FILES README.md ${debian}/copyright ${changelog} DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
