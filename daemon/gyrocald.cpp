@@ -1,6 +1,7 @@
 // gyrocald: one campaign without a person, for systemd. It goes on by itself after a crash; a
 // campaign that has tripped, or has ended, it leaves alone.
-#include <fmt/core.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
 
 #include <chrono>
 #include <filesystem>
@@ -32,6 +33,14 @@ int exit_code(const runner::Outcome& outcome) {
   return cli::exit_safe_state;
 }
 
+/// Whole lines to stderr, which the unit gives to the journal: page, hooks and broker have threads.
+void log_to_stderr() {
+  auto logger = spdlog::stderr_logger_mt("gyrocald");
+  logger->set_pattern("%n: %l: %v");
+  logger->flush_on(spdlog::level::info);
+  spdlog::set_default_logger(std::move(logger));
+}
+
 /// Named, or beside the campaign file, or the defaults.
 Result<DaemonSettings> settings_of(const std::string& named, const std::string& campaign_path) {
   if (!named.empty()) return read_daemon_settings(named);
@@ -45,10 +54,10 @@ std::unique_ptr<status::StatusPage> page_of(const StatusSettings& settings, stat
   if (!settings.on) return nullptr;
   auto page = status::StatusPage::start(settings, std::move(facts));
   if (!page) {
-    fmt::print(stderr, "gyrocald: warning: no status page: {}\n", to_text(page.error()));
+    spdlog::warn("no status page: {}", to_text(page.error()));
     return nullptr;
   }
-  fmt::print(stderr, "gyrocald: status page at http://{}:{}/\n", settings.address, settings.port);
+  spdlog::info("status page at http://{}:{}/", settings.address, settings.port);
   return std::move(*page);
 }
 
@@ -85,9 +94,9 @@ int run(runner::RunRequest request, const DaemonSettings& settings) {
   };
   const auto outcome = runner::run_requested(request, hooks, [](auto&&...) {});
   if (!outcome) return cli::report(outcome.error());
-  fmt::print(stderr, "gyrocald: campaign {}\n", campaign::name(outcome->state));
+  spdlog::info("campaign {}", campaign::name(outcome->state));
   if (const auto* safe = std::get_if<campaign::Safe>(&outcome->state)) {
-    fmt::print(stderr, "gyrocald: {}\n", safe->why);
+    spdlog::warn("{}", safe->why);
   }
   return exit_code(*outcome);
 }
@@ -113,6 +122,7 @@ int main(int argc, char** argv) {
   request.resume = true;
   request.unattended = true;
   request.software_version = GYROCAL_VERSION;
+  log_to_stderr();
   const auto settings = settings_of(settings_path, request.campaign_path);
   if (!settings) return cli::report(settings.error());
   return run(std::move(request), *settings);

@@ -1,5 +1,5 @@
-#include <fmt/core.h>
 #include <mosquitto.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <atomic>
@@ -144,8 +144,7 @@ class Connection {
   void tell(const std::string& trouble) {
     if (trouble == told_) return;
     told_ = trouble;
-    fmt::print(stderr, "gyrocald: warning: no feed to broker {}, it is tried again: {}\n",
-               settings_.host, trouble);
+    spdlog::warn("no feed to broker {}, it is tried again: {}", settings_.host, trouble);
   }
 
   void on_connect(int refused) {
@@ -162,8 +161,7 @@ class Connection {
   void on_disconnect(int why) {
     const bool was = connected_.exchange(false);
     if (was && why != 0) {
-      fmt::print(stderr, "gyrocald: warning: broker {} is away; it is tried again\n",
-                 settings_.host);
+      spdlog::warn("broker {} is away; it is tried again", settings_.host);
     }
   }
 
@@ -217,8 +215,7 @@ class MosquittoBroker final : public Broker {
 std::unique_ptr<Broker> Broker::connect(const MqttSettings& settings, const std::string& campaign) {
   auto connection = std::make_shared<Connection>(settings, campaign);
   if (connection->prepare()) return std::make_unique<MosquittoBroker>(std::move(connection));
-  fmt::print(stderr, "gyrocald: warning: no feed to broker {}: libmosquitto has not started\n",
-             settings.host);
+  spdlog::warn("no feed to broker {}: libmosquitto has not started", settings.host);
   return nullptr;
 }
 

@@ -1,6 +1,6 @@
 #include "daemon/notify/notifier.h"
 
-#include <fmt/core.h>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -30,8 +30,6 @@ std::string this_host() {
   if (::gethostname(name.data(), name.size() - 1) != 0) return "unknown";
   return name.data();
 }
-
-void warn(const std::string& text) { fmt::print(stderr, "gyrocald: warning: {}\n", text); }
 
 std::chrono::milliseconds milliseconds(double s) {
   return std::chrono::milliseconds{static_cast<std::int64_t>(s * 1000)};
@@ -130,8 +128,8 @@ void Working::deliver() {
   if (sent) return outbox_.delivered();
   const std::string subject = message->subject;
   const bool again = outbox_.failed(now_s());
-  warn(fmt::format("message not delivered ({}): {}; {}", subject, to_text(sent.error()),
-                   again ? "it is tried again" : "given up"));
+  spdlog::warn("message not delivered ({}): {}; {}", subject, to_text(sent.error()),
+               again ? "it is tried again" : "given up");
 }
 
 void Working::last_try() {
@@ -141,8 +139,8 @@ void Working::last_try() {
     const double left_s = std::min(until_s - now_s(), settings_.notify.hook_timeout_s);
     const auto sent = left_s > 0 ? send(*message, left_s) : fail(Errc::timeout, "the daemon ends");
     if (!sent) {
-      warn(fmt::format("message not delivered ({}): {}; the daemon ends", message->subject,
-                       to_text(sent.error())));
+      spdlog::warn("message not delivered ({}): {}; the daemon ends", message->subject,
+                   to_text(sent.error()));
     }
     outbox_.delivered();
   }
@@ -155,8 +153,8 @@ void Working::beat(const status::View& view) {
   const auto beaten = run_hook({*settings_.notify.heartbeat, status::status_json(view) + "\n",
                                 "heartbeat", view.facts.campaign + ": " + view.now->text,
                                 milliseconds(settings_.notify.hook_timeout_s)});
-  if (!beaten && !beat_failed_) warn("heartbeat: " + to_text(beaten.error()) + "; it goes on");
-  if (beaten && beat_failed_) fmt::print(stderr, "gyrocald: the heartbeat is heard again\n");
+  if (!beaten && !beat_failed_) spdlog::warn("heartbeat: {}; it goes on", to_text(beaten.error()));
+  if (beaten && beat_failed_) spdlog::info("the heartbeat is heard again");
   beat_failed_ = !beaten;
 }
 

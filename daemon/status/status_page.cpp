@@ -1,6 +1,6 @@
 #include "daemon/status/status_page.h"
 
-#include <fmt/core.h>
+#include <spdlog/spdlog.h>
 
 #include <chrono>
 #include <condition_variable>
@@ -78,7 +78,7 @@ void ServedPage::gather() { live_.report(mailbox_.take(), machine_s(clock_)); }
 void ServedPage::look_back(CampaignId campaign, Duration t) {
   auto past = read_past(facts_, campaign, t);
   if (past) return live_.remember(std::move(past->events), past->history);
-  fmt::print(stderr, "gyrocald: warning: the page begins empty: {}\n", to_text(past.error()));
+  spdlog::warn("the page begins empty: {}", to_text(past.error()));
 }
 
 void ServedPage::work() {
