@@ -5,6 +5,8 @@
 #include <fmt/core.h>
 #include <mosquitto.h>
 #include <signal.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -110,6 +112,8 @@ class Stderr {
     const int file = ::open(path_.c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600);
     ::dup2(file, STDERR_FILENO);
     ::close(file);
+    spdlog::set_default_logger(std::make_shared<spdlog::logger>(  // as gyrocald sets it
+        "gyrocald", std::make_shared<spdlog::sinks::stderr_sink_mt>()));
   }
   ~Stderr() {
     ::dup2(before_, STDERR_FILENO);
