@@ -113,7 +113,7 @@ soak: everything
 	$(BUILD)/tests/faults/fault_campaigns clean $(SEEDS) $(FIRST)
 
 # The prefix is compiled in: where profiles are looked for, which programs the unit starts.
-install: build
+install: configured
 	@cmake --preset release -DCMAKE_INSTALL_PREFIX="$(PREFIX)" >build/configure.log
 	cmake --build --preset release -j $(JOBS) --target gyrocal_release
 	cmake --install $(BUILD)

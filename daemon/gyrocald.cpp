@@ -1,5 +1,6 @@
 // gyrocald: one campaign without a person, for systemd. It goes on by itself after a crash; a
 // campaign that has tripped, or has ended, it leaves alone.
+#include <fmt/core.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 

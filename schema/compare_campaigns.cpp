@@ -179,21 +179,12 @@ Result<void> compare_listing(const CampaignWindow& expected, std::int64_t expect
   }
 }
 
-Result<std::vector<std::int64_t>> boards_of(const CampaignWindow& window) {
-  std::vector<std::int64_t> boards;
-  auto read = for_each_row(
-      window.database, "SELECT id FROM board WHERE campaign_id = ? ORDER BY id",
-      [&](const Statement& row) { boards.push_back(row.integer(0)); }, key(window.campaign));
-  if (!read) return tl::unexpected(read.error());
-  return boards;
-}
-
 /// Board by board: a crash may leave the boards' streams at different ends.
 Result<PartComparison> compare_monitor(const CampaignWindow& expected, const CampaignWindow& got,
                                        double relative) {
-  const auto left = boards_of(expected);
+  const auto left = boards_of(expected.database, expected.campaign);
   if (!left) return tl::unexpected(left.error());
-  const auto right = boards_of(got);
+  const auto right = boards_of(got.database, got.campaign);
   if (!right) return tl::unexpected(right.error());
   PartComparison comparison;
   for (std::size_t i = 0; i < std::min(left->size(), right->size()); ++i) {

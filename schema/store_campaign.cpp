@@ -1,7 +1,7 @@
 // What a campaign writes as it goes, but for the dwells: see store_group.cpp.
 #include <fmt/core.h>
 
-#include <set>
+#include <algorithm>
 
 #include "schema/store_impl.h"
 
@@ -14,15 +14,6 @@ std::string axes_of(const BoardRow& board) {
     if (board.measured.at(static_cast<std::size_t>(axis))) axes += letter(axis);
   }
   return axes;
-}
-
-Result<std::set<std::int64_t>> boards_of(const Database& database, CampaignId campaign) {
-  std::set<std::int64_t> boards;
-  auto read = for_each_row(
-      database, "SELECT id FROM board WHERE campaign_id = ?",
-      [&](const Statement& row) { boards.insert(row.integer(0)); }, key(campaign));
-  if (!read) return tl::unexpected(read.error());
-  return boards;
 }
 
 }  // namespace
@@ -89,7 +80,7 @@ Result<void> Store::add_monitor(CampaignId campaign, std::span<const MonitorInse
         impl_->database.prepare("INSERT INTO monitor VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     if (!insert) return tl::unexpected(insert.error());
     for (const MonitorInsert& row : rows) {
-      if (!known->contains(key(row.board))) {
+      if (!std::binary_search(known->begin(), known->end(), key(row.board))) {
         return fail(Errc::bad_input,
                     fmt::format("board {} is not in campaign {}", key(row.board), key(campaign)));
       }

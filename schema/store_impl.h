@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "schema/sqlite.h"
 #include "schema/store.h"
@@ -45,6 +46,17 @@ Result<void> for_each_row(const Database& database, std::string_view sql, const 
     if (!*more) return {};
     row(*statement);
   }
+}
+
+/// Keys of the boards of a campaign, ascending.
+[[nodiscard]] inline Result<std::vector<std::int64_t>> boards_of(const Database& database,
+                                                                 CampaignId campaign) {
+  std::vector<std::int64_t> boards;
+  auto read = for_each_row(
+      database, "SELECT id FROM board WHERE campaign_id = ? ORDER BY id",
+      [&](const Statement& row) { boards.push_back(row.integer(0)); }, key(campaign));
+  if (!read) return tl::unexpected(read.error());
+  return boards;
 }
 
 /// Prepares, binds and runs one statement.

@@ -18,9 +18,8 @@ inline constexpr Duration air_is_straight_over = std::chrono::seconds{60};
 class ChamberTrack {
  public:
   /// Over gaps between readings longer than these nothing is claimed.
-  /// @param dwell_gap_max  of a dwell's mean, where it is the longer: the air of a dwell was seen
-  /// to
-  ///   stand still before.
+  /// @param dwell_gap_max  of a dwell's mean, where it is the longer: a dwell's air was seen to
+  /// stand still before.
   ChamberTrack(Duration gap_max, Duration dwell_gap_max)
       : gap_max_(gap_max), dwell_gap_max_(std::max(gap_max, dwell_gap_max)) {}
 
